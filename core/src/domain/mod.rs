@@ -1,0 +1,3 @@
+//! draft
+mod dimension;
+pub use dimension::Dimension;
