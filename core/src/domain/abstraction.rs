@@ -1,0 +1,136 @@
+//! Abstract states as sets of ground atoms (thesis 4.1.1, Definition 1).
+
+use super::atom::{GroundAtom, Groundings, PredicateId};
+use super::environment::Environment;
+use super::state::State;
+use crate::error::Error;
+use heapless::Vec;
+
+/// Most ground atoms over the objects of one task.
+pub const MAX_ATOMS: usize = 128;
+
+/// All ground atoms over the objects of a task: every predicate with every choice
+/// of distinct objects of the right types.
+///
+/// They are in the order of the predicates, then of the objects, the last one
+/// changing fastest. An [`AtomSet`] refers to them by their place.
+#[derive(Clone, Debug)]
+pub struct Atoms {
+    atoms: Vec<GroundAtom, MAX_ATOMS>,
+}
+
+impl Atoms {
+    /// The atoms over the objects of `state`.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if they are more than [`MAX_ATOMS`].
+    pub fn new<E: Environment>(environment: &E, state: &State) -> Result<Self, Error> {
+        let mut atoms = Vec::new();
+        for (id, predicate) in (0..).zip(environment.predicates()) {
+            let groundings = Groundings::new(state, predicate.arguments)?;
+            for objects in groundings.filter(|objects| objects.are_distinct()) {
+                let predicate = PredicateId(id);
+                atoms
+                    .push(GroundAtom { predicate, objects })
+                    .map_err(|_| Error::CapacityExceeded("ground atoms of a task"))?;
+            }
+        }
+        Ok(Atoms { atoms })
+    }
+
+    /// The atoms in order.
+    pub fn as_slice(&self) -> &[GroundAtom] {
+        &self.atoms
+    }
+
+    /// The set of these atoms.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] if one of them is not over the task's objects.
+    pub fn set(&self, atoms: impl IntoIterator<Item = GroundAtom>) -> Result<AtomSet, Error> {
+        let mut set = AtomSet::EMPTY;
+        for atom in atoms {
+            set = set.union(self.singleton(&atom).ok_or(Error::InvalidArgument(
+                "an atom is not over distinct objects of the task",
+            ))?);
+        }
+        Ok(set)
+    }
+
+    /// The set of this atom alone; `None` if it is not over the task's objects.
+    pub fn singleton(&self, atom: &GroundAtom) -> Option<AtomSet> {
+        self.bits().find(|(_, a)| *a == atom).map(|(set, _)| set)
+    }
+
+    /// The atoms of a set, in order.
+    pub fn members(&self, set: AtomSet) -> impl Iterator<Item = &GroundAtom> {
+        self.bits()
+            .filter(move |(bit, _)| bit.is_subset(set))
+            .map(|(_, atom)| atom)
+    }
+
+    /// ABSTRACT(x, Psi): the set of all ground atoms that hold in the state.
+    pub fn abstract_state<E: Environment>(&self, environment: &E, state: &State) -> AtomSet {
+        self.bits()
+            .filter(|(_, atom)| atom.holds(environment, state))
+            .fold(AtomSet::EMPTY, |set, (bit, _)| set.union(bit))
+    }
+
+    fn bits(&self) -> impl Iterator<Item = (AtomSet, &GroundAtom)> {
+        let bits = (0..).map(|place| AtomSet(1u128.wrapping_shl(place)));
+        bits.zip(self.atoms.iter())
+    }
+}
+
+/// A set of ground atoms, such as an abstract state: one bit for each atom of
+/// [`Atoms`]. Sets of different tasks must not be mixed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct AtomSet(u128);
+
+impl AtomSet {
+    /// No atom.
+    pub const EMPTY: AtomSet = AtomSet(0);
+
+    /// The atoms in either set.
+    #[must_use]
+    pub fn union(self, other: AtomSet) -> AtomSet {
+        AtomSet(self.0 | other.0)
+    }
+
+    /// The atoms in both sets.
+    #[must_use]
+    pub fn intersection(self, other: AtomSet) -> AtomSet {
+        AtomSet(self.0 & other.0)
+    }
+
+    /// The atoms of this set that are not in the other.
+    #[must_use]
+    pub fn difference(self, other: AtomSet) -> AtomSet {
+        AtomSet(self.0 & !other.0)
+    }
+
+    /// Whether the other set has all atoms of this one.
+    pub fn is_subset(self, other: AtomSet) -> bool {
+        self.difference(other).is_empty()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// How many there are.
+    pub fn len(self) -> u32 {
+        self.0.count_ones()
+    }
+
+    /// The places of its atoms in [`Atoms::as_slice`], ascending.
+    pub fn places(self) -> impl Iterator<Item = u32> {
+        let mut rest = self.0;
+        core::iter::from_fn(move || {
+            let place = (rest != 0).then(|| rest.trailing_zeros())?;
+            rest &= rest.wrapping_sub(1);
+            Some(place)
+        })
+    }
+}

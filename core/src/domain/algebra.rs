@@ -1,0 +1,305 @@
+//! What an expression is evaluated to: a number, a curve along a line of
+//! parameters, or a range over a box of parameters.
+//!
+//! One evaluator serves all three. A number answers "is this sample inside?", a
+//! curve has its roots in closed form and so gives exact intervals, and a range
+//! that misses zero proves that a whole box is outside.
+
+use crate::real::Real;
+
+/// What can be added, subtracted and multiplied.
+pub trait Arithmetic<R: Real>: Copy {
+    /// A number that does not vary.
+    fn constant(value: R) -> Self;
+    /// A quantity nothing is known about.
+    fn unknown() -> Self;
+    /// `self + other`
+    fn plus(self, other: Self) -> Self;
+    /// `self - other`
+    fn minus(self, other: Self) -> Self;
+    /// `self * other`
+    fn times(self, other: Self) -> Self;
+}
+
+/// What parameters and positions are computed in.
+pub trait Algebra<R: Real>: Arithmetic<R> {
+    /// What features are computed in; it also holds lengths of vectors.
+    type Measure: Arithmetic<R>;
+    /// The same quantity as a feature.
+    fn measure(self) -> Self::Measure;
+    /// The length of a vector.
+    fn norm(vector: [Self; 3]) -> Self::Measure;
+    /// The number, if it does not vary.
+    fn known(self) -> Option<R>;
+}
+
+impl<R: Real> Arithmetic<R> for R {
+    fn constant(value: R) -> R {
+        value
+    }
+    fn unknown() -> R {
+        R::INFINITY - R::INFINITY
+    }
+    fn plus(self, other: R) -> R {
+        self + other
+    }
+    fn minus(self, other: R) -> R {
+        self - other
+    }
+    fn times(self, other: R) -> R {
+        self * other
+    }
+}
+
+impl<R: Real> Algebra<R> for R {
+    type Measure = R;
+    fn measure(self) -> R {
+        self
+    }
+    fn norm([x, y, z]: [R; 3]) -> R {
+        // One component: exact, and no square root. It is the common case.
+        if y == R::ZERO && z == R::ZERO {
+            return x.abs();
+        }
+        (x * x + y * y + z * z).sqrt()
+    }
+    fn known(self) -> Option<R> {
+        Some(self)
+    }
+}
+
+/// `at + slope * t` for a position `t` on a line through the parameter space.
+/// A slope that is not a number marks an unknown quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line<R> {
+    /// Value at `t = 0`.
+    pub at: R,
+    /// Change with `t`.
+    pub slope: R,
+}
+
+impl<R: Real> Line<R> {
+    fn scaled(self, factor: R) -> Line<R> {
+        Line {
+            at: self.at * factor,
+            slope: self.slope * factor,
+        }
+    }
+}
+
+impl<R: Real> Arithmetic<R> for Line<R> {
+    fn constant(value: R) -> Self {
+        Line {
+            at: value,
+            slope: R::ZERO,
+        }
+    }
+    fn unknown() -> Self {
+        Line {
+            at: R::unknown(),
+            slope: R::unknown(),
+        }
+    }
+    fn plus(self, other: Self) -> Self {
+        Line {
+            at: self.at + other.at,
+            slope: self.slope + other.slope,
+        }
+    }
+    fn minus(self, other: Self) -> Self {
+        Line {
+            at: self.at - other.at,
+            slope: self.slope - other.slope,
+        }
+    }
+    fn times(self, other: Self) -> Self {
+        if other.slope == R::ZERO {
+            self.scaled(other.at)
+        } else if self.slope == R::ZERO {
+            other.scaled(self.at)
+        } else {
+            Self::unknown()
+        }
+    }
+}
+
+impl<R: Real> Algebra<R> for Line<R> {
+    type Measure = Curve<R>;
+    fn measure(self) -> Curve<R> {
+        Curve {
+            line: self,
+            factor: R::ZERO,
+            vector: [Line::constant(R::ZERO); 3],
+        }
+    }
+    fn norm(vector: [Self; 3]) -> Curve<R> {
+        if vector.iter().all(|v| v.slope == R::ZERO) {
+            return Curve::constant(R::norm(vector.map(|v| v.at)));
+        }
+        Curve {
+            line: Line::constant(R::ZERO),
+            factor: R::ONE,
+            vector,
+        }
+    }
+    fn known(self) -> Option<R> {
+        (self.slope == R::ZERO).then_some(self.at)
+    }
+}
+
+/// `line(t) + factor * |vector(t)|`: what the features of the grammar become
+/// along a line of parameters, unless they hold two lengths of vectors, a product
+/// of two parameters or a turn by a parameter; those are unknown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curve<R> {
+    /// The straight part.
+    pub line: Line<R>,
+    /// How often the length counts.
+    pub factor: R,
+    /// The vector whose length is taken.
+    pub vector: [Line<R>; 3],
+}
+
+impl<R: Real> Curve<R> {
+    /// Whether its value along the line is known.
+    pub fn is_known(&self) -> bool {
+        let vector = self.vector.iter().map(|v| v.at + v.slope);
+        (self.line.at + self.line.slope + self.factor).is_finite()
+            && vector.fold(true, |known, v| known && v.is_finite())
+    }
+
+    /// The value at `t`.
+    pub fn value(&self, t: R) -> R {
+        let straight = self.line.at + self.line.slope * t;
+        if self.factor == R::ZERO {
+            return straight;
+        }
+        straight + self.factor * R::norm(self.vector.map(|v| v.at + v.slope * t))
+    }
+
+    fn sum(self, other: Self, sign: R) -> Self {
+        let line = self.line.plus(other.line.scaled(sign));
+        let (factor, vector) = if other.factor == R::ZERO {
+            (self.factor, self.vector)
+        } else if self.factor == R::ZERO {
+            (sign * other.factor, other.vector)
+        } else {
+            return Self::unknown();
+        };
+        Curve {
+            line,
+            factor,
+            vector,
+        }
+    }
+
+    fn scaled(self, factor: R) -> Self {
+        Curve {
+            line: self.line.scaled(factor),
+            factor: self.factor * factor,
+            vector: self.vector,
+        }
+    }
+
+    fn as_constant(&self) -> Option<R> {
+        (self.factor == R::ZERO && self.line.slope == R::ZERO).then_some(self.line.at)
+    }
+}
+
+impl<R: Real> Arithmetic<R> for Curve<R> {
+    fn constant(value: R) -> Self {
+        Line::constant(value).measure()
+    }
+    fn unknown() -> Self {
+        Line::unknown().measure()
+    }
+    fn plus(self, other: Self) -> Self {
+        self.sum(other, R::ONE)
+    }
+    fn minus(self, other: Self) -> Self {
+        self.sum(other, -R::ONE)
+    }
+    fn times(self, other: Self) -> Self {
+        match (self.as_constant(), other.as_constant()) {
+            (_, Some(factor)) => self.scaled(factor),
+            (Some(factor), None) => other.scaled(factor),
+            (None, None) => Self::unknown(),
+        }
+    }
+}
+
+/// All values between two bounds, over a box of parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range<R> {
+    /// Not above any value.
+    pub low: R,
+    /// Not below any value.
+    pub high: R,
+}
+
+impl<R: Real> Range<R> {
+    /// The distances from zero.
+    fn magnitude(self) -> Range<R> {
+        let (a, b) = (self.low.abs(), self.high.abs());
+        let crosses = self.low <= R::ZERO && self.high >= R::ZERO;
+        Range {
+            low: if crosses { R::ZERO } else { a.min(b) },
+            high: a.max(b),
+        }
+    }
+}
+
+impl<R: Real> Arithmetic<R> for Range<R> {
+    fn constant(value: R) -> Self {
+        Range {
+            low: value,
+            high: value,
+        }
+    }
+    fn unknown() -> Self {
+        Range {
+            low: -R::INFINITY,
+            high: R::INFINITY,
+        }
+    }
+    fn plus(self, other: Self) -> Self {
+        Range {
+            low: self.low + other.low,
+            high: self.high + other.high,
+        }
+    }
+    fn minus(self, other: Self) -> Self {
+        Range {
+            low: self.low - other.high,
+            high: self.high - other.low,
+        }
+    }
+    fn times(self, other: Self) -> Self {
+        let (a, b) = (self.low * other.low, self.low * other.high);
+        let (c, d) = (self.high * other.low, self.high * other.high);
+        if !(a + b + c + d).is_finite() {
+            return Self::unknown();
+        }
+        Range {
+            low: a.min(b).min(c.min(d)),
+            high: a.max(b).max(c.max(d)),
+        }
+    }
+}
+
+impl<R: Real> Algebra<R> for Range<R> {
+    type Measure = Range<R>;
+    fn measure(self) -> Self {
+        self
+    }
+    fn norm(vector: [Self; 3]) -> Self {
+        let [x, y, z] = vector.map(Range::magnitude);
+        Range {
+            low: R::norm([x.low, y.low, z.low]),
+            high: R::norm([x.high, y.high, z.high]),
+        }
+    }
+    fn known(self) -> Option<R> {
+        (self.low == self.high).then_some(self.low)
+    }
+}

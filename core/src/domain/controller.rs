@@ -1,0 +1,127 @@
+//! Controllers and their runs (thesis 4.1.1: C and its low-level policies).
+
+use super::environment::{Environment, Failure};
+use super::schema::MAX_PARAMETERS;
+use super::state::{MAX_STATE_VALUES, ObjectId, State, TypeId};
+use crate::real::Real;
+use heapless::Vec;
+
+/// Index of a [`Controller`] in the table of its environment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ControllerId(pub u8);
+
+/// The continuous parameters theta of an action, in single precision as the
+/// framework that recorded the reference data keeps them.
+pub type Parameters = Vec<f32, MAX_PARAMETERS>;
+
+/// A function of a state and an action ((o_1, .., o_v), theta).
+pub type OfAction<E, T> = fn(&E, &State, &[ObjectId], &[f32]) -> T;
+
+/// A controller: a policy with objects and continuous parameters, run until a
+/// condition holds.
+pub struct Controller<E: Environment> {
+    /// Its name.
+    pub name: &'static str,
+    /// The types of its objects.
+    pub arguments: &'static [TypeId],
+    /// Its parameter space: the `[low, high]` of each parameter.
+    pub parameters: &'static [[f64; 2]],
+    /// Whether it can start in a state.
+    pub initiable: OfAction<E, bool>,
+    /// What it commands in a state.
+    pub policy: OfAction<E, E::Action>,
+    /// Whether it is done in a state.
+    pub terminal: OfAction<E, bool>,
+}
+
+/// An `initiable` for controllers that can always start.
+pub fn always<E>(_: &E, _: &State, _: &[ObjectId], _: &[f32]) -> bool {
+    true
+}
+
+/// How a controller's run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// Its terminal condition holds.
+    Terminal,
+    /// It was stopped after [`Environment::MAX_CONTROLLER_STEPS`].
+    StepLimit,
+    /// It could not start.
+    NotInitiable,
+    /// A step changed nothing.
+    Stuck,
+    /// A step had no outcome.
+    Failed(Failure),
+}
+
+/// A controller's run.
+#[derive(Clone, Debug)]
+pub struct Rollout {
+    /// The last state; the start state if the run could not start, was stuck or
+    /// failed.
+    pub state: State,
+    /// How many actions were taken; zero if the run could not start, was stuck or
+    /// failed.
+    pub actions: u32,
+    /// How it ended.
+    pub ending: Ending,
+}
+
+/// Runs a controller from `start` to its terminal condition.
+///
+/// A run is stuck when two successive states agree in every number; this is how
+/// targets that cannot be reached fail.
+pub fn rollout<E: Environment>(
+    environment: &E,
+    controller: &Controller<E>,
+    objects: &[ObjectId],
+    parameters: &[f32],
+    start: &State,
+) -> Rollout {
+    let back_at_start = |ending| Rollout {
+        state: start.clone(),
+        actions: 0,
+        ending,
+    };
+    if !(controller.initiable)(environment, start, objects, parameters) {
+        return back_at_start(Ending::NotInitiable);
+    }
+    let mut run = back_at_start(Ending::StepLimit);
+    if (controller.terminal)(environment, start, objects, parameters) {
+        run.ending = Ending::Terminal;
+        return run;
+    }
+    let mut before = Values([0.0; MAX_STATE_VALUES]);
+    while run.actions < E::MAX_CONTROLLER_STEPS {
+        before.copy_from(&run.state);
+        let action = (controller.policy)(environment, &run.state, objects, parameters);
+        if let Err(failure) = environment.simulate(&mut run.state, action) {
+            return back_at_start(Ending::Failed(failure));
+        }
+        run.actions += 1;
+        if (controller.terminal)(environment, &run.state, objects, parameters) {
+            run.ending = Ending::Terminal;
+            break;
+        }
+        if before.agree_with(&run.state) {
+            return back_at_start(Ending::Stuck);
+        }
+    }
+    run
+}
+
+/// The numbers of a state before a step; those beyond its length mean nothing.
+struct Values([f64; MAX_STATE_VALUES]);
+
+impl Values {
+    fn copy_from(&mut self, state: &State) {
+        for (copy, value) in self.0.iter_mut().zip(state.values()) {
+            *copy = *value;
+        }
+    }
+
+    fn agree_with(&self, after: &State) -> bool {
+        let close = |(a, b): (&f64, &f64)| Real::abs(a - b) <= 1e-3 + 1e-5 * Real::abs(*b);
+        self.0.iter().zip(after.values()).all(close)
+    }
+}

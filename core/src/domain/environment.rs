@@ -1,0 +1,68 @@
+//! Environments: the tuple of types, controllers, transition function and
+//! predicates of thesis 4.1.1.
+
+use super::atom::Predicate;
+use super::controller::{Controller, Parameters};
+use super::operator::{Operator, OperatorId};
+use super::state::{ObjectId, ObjectType, State};
+use crate::random::uniform_in;
+use rand_core::Rng;
+
+/// A simulated world with its symbolic description.
+///
+/// Predicates and operators must be listed in the order of their names: it is the
+/// order in which a planner enumerates their groundings.
+pub trait Environment: Sized + 'static {
+    /// What a controller commands in one step.
+    type Action: Copy;
+
+    /// After how many steps a controller is stopped.
+    const MAX_CONTROLLER_STEPS: u32 = 50;
+
+    /// Lambda and d: the types of objects and their attributes.
+    fn types(&self) -> &'static [ObjectType];
+
+    /// Psi: the predicates.
+    fn predicates(&self) -> &'static [Predicate<Self>];
+
+    /// C: the controllers.
+    fn controllers(&self) -> &'static [Controller<Self>];
+
+    /// Omega: the operators.
+    fn operators(&self) -> &'static [Operator<'static>];
+
+    /// f: changes the state by one action.
+    ///
+    /// # Errors
+    /// [`Failure`] if the action has no outcome here; the state stays as it was.
+    fn simulate(&self, state: &mut State, action: Self::Action) -> Result<(), Failure>;
+
+    /// Draws parameters for the controller of an operator, from the state before
+    /// it and the operator's objects.
+    ///
+    /// Unless an environment knows better, this is uniform over the controller's
+    /// parameter space; no parameters for an unknown operator.
+    fn sample<G: Rng>(
+        &self,
+        operator: OperatorId,
+        _state: &State,
+        _objects: &[ObjectId],
+        rng: &mut G,
+    ) -> Parameters {
+        let operator = self.operators().get(usize::from(operator.0));
+        let controller = operator.and_then(|o| self.controllers().get(usize::from(o.controller.0)));
+        let space = controller.map_or(&[][..], |c| c.parameters);
+        space
+            .iter()
+            .map(|[low, high]| uniform_in(rng, *low, *high) as f32)
+            .take(super::MAX_PARAMETERS)
+            .collect()
+    }
+}
+
+/// An action has no outcome, for example because of a collision.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Failure {
+    /// The object that is to blame, if it is one.
+    pub culprit: Option<ObjectId>,
+}

@@ -1,0 +1,500 @@
+//! Expressions over a domain: the terms of offsets, features and constraints.
+//!
+//! An expression is a node in a list in which operands stand before the node that
+//! uses them, so a list is evaluated in one sweep, and equal terms are stored once.
+
+use super::dimension::Dimension;
+use super::schema::Domain;
+use crate::error::Error;
+use crate::text::{Lexer, Token, write_number};
+use core::fmt;
+use heapless::VecView;
+
+/// Index of a node in its list.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct NodeId(pub u16);
+
+/// A number read off the pose of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coordinate {
+    /// Position along the world's x axis.
+    X,
+    /// Position along the world's y axis.
+    Y,
+    /// Position along the world's z axis.
+    Z,
+    /// Heading in the world's x-y plane.
+    Theta,
+}
+
+/// How far apart two points are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Metric {
+    /// `|a.x - b.x|`
+    X,
+    /// `|a.y - b.y|`
+    Y,
+    /// `|a.z - b.z|`
+    Z,
+    /// The length of the straight line between them, in 2D or 3D.
+    Straight,
+}
+
+/// One term. Indices of constants, attributes, points and shapes refer to the
+/// domain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Node {
+    /// A literal number; it fits every dimension.
+    Number(f64),
+    /// A constant.
+    Constant(u8),
+    /// An attribute of an object, by its place in an instance.
+    Attribute(u8),
+    /// A parameter of the action.
+    Parameter(u8),
+    /// A coordinate of a point.
+    Coordinate(Coordinate, u8),
+    /// The distance of two points.
+    Distance(Metric, u8, u8),
+    /// The angle between the x axes of two points, in `[0, pi]`.
+    Angle(u8, u8),
+    /// The area of a shape.
+    Area(u8),
+    /// `a + b`
+    Sum(NodeId, NodeId),
+    /// `a - b`
+    Difference(NodeId, NodeId),
+    /// `a * b`
+    Product(NodeId, NodeId),
+}
+
+/// What an expression depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Dependence {
+    /// Literals and constants only.
+    Constant,
+    /// The problem instance.
+    Instance,
+    /// The parameters of the action.
+    Sample,
+}
+
+/// Deepest nesting of an expression, so that walking one has bounded stack.
+pub const MAX_DEPTH: u8 = 12;
+
+/// Appends a node to a list, or finds it there.
+///
+/// # Errors
+/// [`Error::CapacityExceeded`] if the list is full.
+pub fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, Error> {
+    const FULL: Error = Error::CapacityExceeded("terms of expressions");
+    let place = match nodes.iter().position(|n| *n == node) {
+        Some(place) => place,
+        None => {
+            nodes.push(node).map_err(|_| FULL)?;
+            nodes.len() - 1
+        }
+    };
+    u16::try_from(place).map(NodeId).map_err(|_| FULL)
+}
+
+/// Copies an expression from one list into another.
+///
+/// # Errors
+/// [`Error::CapacityExceeded`] if the target is full.
+pub fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<NodeId, Error> {
+    let node = match node_at(from, id)? {
+        Node::Sum(a, b) => Node::Sum(copy(from, a, to)?, copy(from, b, to)?),
+        Node::Difference(a, b) => Node::Difference(copy(from, a, to)?, copy(from, b, to)?),
+        Node::Product(a, b) => Node::Product(copy(from, a, to)?, copy(from, b, to)?),
+        leaf => leaf,
+    };
+    intern(to, node)
+}
+
+pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, Error> {
+    nodes
+        .get(usize::from(id.0))
+        .copied()
+        .ok_or(Error::InvalidArgument(
+            "an expression refers to a missing term",
+        ))
+}
+
+impl Domain<'_> {
+    /// What an expression measures; `None` for a literal, which fits anything.
+    pub fn dimension(&self, nodes: &[Node], id: NodeId) -> Option<Dimension> {
+        match node_at(nodes, id).ok()? {
+            Node::Number(_) => None,
+            Node::Constant(i) => self.constants().get(usize::from(i)).map(|c| c.dimension),
+            Node::Attribute(i) => self.slots().nth(usize::from(i)).map(|(_, a)| a.dimension),
+            Node::Parameter(i) => self.parameters().get(usize::from(i)).map(|p| p.dimension),
+            Node::Coordinate(Coordinate::Theta, _) | Node::Angle(..) => Some(Dimension::Angle),
+            Node::Coordinate(..) | Node::Distance(..) => Some(Dimension::Length),
+            Node::Area(_) => Some(Dimension::Area),
+            Node::Sum(a, b) | Node::Difference(a, b) => self
+                .dimension(nodes, a)
+                .or_else(|| self.dimension(nodes, b)),
+            Node::Product(a, b) => {
+                product_dimension(self.dimension(nodes, a), self.dimension(nodes, b)).ok()?
+            }
+        }
+    }
+
+    /// What an expression depends on.
+    pub fn dependence(&self, nodes: &[Node], id: NodeId) -> Dependence {
+        let point = |i: u8| match self.points().get(usize::from(i)) {
+            Some(p) if p.sampled => Dependence::Sample,
+            _ => Dependence::Instance,
+        };
+        match node_at(nodes, id) {
+            Ok(Node::Attribute(_)) => Dependence::Instance,
+            Ok(Node::Parameter(_)) => Dependence::Sample,
+            Ok(Node::Coordinate(_, p)) => point(p),
+            Ok(Node::Distance(_, a, b) | Node::Angle(a, b)) => point(a).max(point(b)),
+            Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
+                self.dependence(nodes, a).max(self.dependence(nodes, b))
+            }
+            Ok(Node::Number(_) | Node::Constant(_) | Node::Area(_)) | Err(_) => {
+                Dependence::Constant
+            }
+        }
+    }
+
+    /// Reads an expression from a text: sums, differences and products of
+    /// numbers, constants, attributes, parameters, coordinates of points,
+    /// `dist(a, b)`, `dist_x`, `dist_y`, `dist_z`, `angle(a, b)` and `area(o)`.
+    ///
+    /// # Errors
+    /// [`Error::Syntax`] with line and column, also for unknown names and for
+    /// quantities of different dimension; [`Error::CapacityExceeded`].
+    pub fn parse_expression(
+        &self,
+        lexer: &mut Lexer<'_>,
+        nodes: &mut VecView<Node>,
+    ) -> Result<NodeId, Error> {
+        ExpressionParser {
+            domain: self,
+            nodes,
+        }
+        .sum(lexer, 0)
+    }
+
+    /// Reads one factor of an expression: a number, a name, a call or a bracket.
+    ///
+    /// # Errors
+    /// As [`Domain::parse_expression`].
+    pub(crate) fn parse_factor(
+        &self,
+        lexer: &mut Lexer<'_>,
+        nodes: &mut VecView<Node>,
+    ) -> Result<NodeId, Error> {
+        ExpressionParser {
+            domain: self,
+            nodes,
+        }
+        .factor(lexer, 0)
+    }
+
+    /// The value of an expression that depends on constants only.
+    pub fn constant_value(&self, nodes: &[Node], id: NodeId) -> Option<f64> {
+        let value = |id| self.constant_value(nodes, id);
+        match node_at(nodes, id).ok()? {
+            Node::Number(value) => Some(value),
+            Node::Constant(i) => self.constants().get(usize::from(i)).map(|c| c.value),
+            Node::Sum(a, b) => Some(value(a)? + value(b)?),
+            Node::Difference(a, b) => Some(value(a)? - value(b)?),
+            Node::Product(a, b) => Some(value(a)? * value(b)?),
+            _ => None,
+        }
+    }
+
+    /// Writes an expression so that reading it gives the same expression.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_expression(
+        &self,
+        out: &mut dyn fmt::Write,
+        nodes: &[Node],
+        id: NodeId,
+    ) -> fmt::Result {
+        self.write_term(out, nodes, id, Precedence::Sum)
+    }
+
+    fn write_term(
+        &self,
+        out: &mut dyn fmt::Write,
+        nodes: &[Node],
+        id: NodeId,
+        place: Precedence,
+    ) -> fmt::Result {
+        let Ok(node) = node_at(nodes, id) else {
+            return Err(fmt::Error);
+        };
+        let (a, operator, b, own) = match node {
+            Node::Sum(a, b) => (a, " + ", b, Precedence::Sum),
+            Node::Difference(a, b) => (a, " - ", b, Precedence::Sum),
+            Node::Product(a, b) => (a, "*", b, Precedence::Product),
+            leaf => return self.write_leaf(out, leaf),
+        };
+        let brackets = own < place;
+        if brackets {
+            out.write_char('(')?;
+        }
+        self.write_term(out, nodes, a, own)?;
+        out.write_str(operator)?;
+        self.write_term(out, nodes, b, own.above())?;
+        if brackets {
+            out.write_char(')')?;
+        }
+        Ok(())
+    }
+
+    fn write_leaf(&self, out: &mut dyn fmt::Write, node: Node) -> fmt::Result {
+        match node {
+            Node::Number(value) => write_number(out, value),
+            Node::Constant(i) => {
+                out.write_str(self.constants().get(usize::from(i)).map_or("?", |c| c.name))
+            }
+            Node::Attribute(i) => {
+                let (object, attribute) = self.slots().nth(usize::from(i)).ok_or(fmt::Error)?;
+                out.write_str(object.name)?;
+                out.write_char('.')?;
+                out.write_str(attribute.name)
+            }
+            Node::Parameter(i) => out.write_str(
+                self.parameters()
+                    .get(usize::from(i))
+                    .map_or("?", |p| p.name),
+            ),
+            Node::Coordinate(coordinate, p) => {
+                self.write_point(out, p)?;
+                out.write_str(match coordinate {
+                    Coordinate::X => ".x",
+                    Coordinate::Y => ".y",
+                    Coordinate::Z => ".z",
+                    Coordinate::Theta => ".theta",
+                })
+            }
+            Node::Distance(metric, a, b) => {
+                let name = match metric {
+                    Metric::X => "dist_x",
+                    Metric::Y => "dist_y",
+                    Metric::Z => "dist_z",
+                    Metric::Straight => "dist",
+                };
+                self.write_pair(out, name, a, b)
+            }
+            Node::Angle(a, b) => self.write_pair(out, "angle", a, b),
+            Node::Area(shape) => {
+                let (object, _) = self.shapes().get(usize::from(shape)).ok_or(fmt::Error)?;
+                let object = self.objects().get(usize::from(*object)).ok_or(fmt::Error)?;
+                out.write_str("area(")?;
+                out.write_str(object.name)?;
+                out.write_char(')')
+            }
+            Node::Sum(..) | Node::Difference(..) | Node::Product(..) => Err(fmt::Error),
+        }
+    }
+
+    fn write_pair(&self, out: &mut dyn fmt::Write, name: &str, a: u8, b: u8) -> fmt::Result {
+        out.write_str(name)?;
+        out.write_char('(')?;
+        self.write_point(out, a)?;
+        out.write_str(", ")?;
+        self.write_point(out, b)?;
+        out.write_char(')')
+    }
+
+    fn write_point(&self, out: &mut dyn fmt::Write, point: u8) -> fmt::Result {
+        let point = self.points().get(usize::from(point)).ok_or(fmt::Error)?;
+        out.write_str(point.owner)?;
+        if !point.part.is_empty() {
+            out.write_char('.')?;
+            out.write_str(point.part)?;
+        }
+        Ok(())
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Precedence {
+    Sum,
+    Product,
+    Factor,
+}
+
+impl Precedence {
+    fn above(self) -> Precedence {
+        match self {
+            Precedence::Sum => Precedence::Product,
+            Precedence::Product | Precedence::Factor => Precedence::Factor,
+        }
+    }
+}
+
+/// The dimension of a product; literals scale, lengths make areas.
+fn product_dimension(
+    a: Option<Dimension>,
+    b: Option<Dimension>,
+) -> Result<Option<Dimension>, &'static str> {
+    use Dimension::{Area, Length, None as Plain};
+    match (a, b) {
+        (None, d) | (d, None) => Ok(d),
+        (Some(Plain), d) | (d, Some(Plain)) => Ok(d),
+        (Some(Length), Some(Length)) => Ok(Some(Area)),
+        _ => Err("one factor of a product must be a plain number, or both lengths"),
+    }
+}
+
+struct ExpressionParser<'d, 't, 'n> {
+    domain: &'d Domain<'t>,
+    nodes: &'n mut VecView<Node>,
+}
+
+impl ExpressionParser<'_, '_, '_> {
+    fn sum(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
+        let mut left = self.product(lexer, depth)?;
+        let mut links = depth;
+        loop {
+            let at = lexer.clone();
+            let make = if lexer.accept("+") {
+                Node::Sum
+            } else if lexer.accept("-") {
+                Node::Difference
+            } else {
+                return Ok(left);
+            };
+            links = deeper(&at, links)?;
+            let right = self.product(lexer, depth)?;
+            let dimensions = (self.dimension(left), self.dimension(right));
+            if let (Some(a), Some(b)) = dimensions
+                && a != b
+            {
+                return Err(at.error("the two sides of + or - have different dimensions"));
+            }
+            left = intern(self.nodes, make(left, right))?;
+        }
+    }
+
+    fn product(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
+        let mut left = self.factor(lexer, depth)?;
+        let mut links = depth;
+        loop {
+            let at = lexer.clone();
+            if !lexer.accept("*") {
+                return Ok(left);
+            }
+            links = deeper(&at, links)?;
+            let right = self.factor(lexer, depth)?;
+            product_dimension(self.dimension(left), self.dimension(right))
+                .map_err(|what| at.error(what))?;
+            left = intern(self.nodes, Node::Product(left, right))?;
+        }
+    }
+
+    fn factor(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
+        let depth = deeper(lexer, depth)?;
+        if lexer.accept("(") {
+            let inside = self.sum(lexer, depth)?;
+            lexer.expect(")", "expected `)`")?;
+            return Ok(inside);
+        }
+        if lexer.accept("-") {
+            if let Token::Number(value) = lexer.token() {
+                lexer.advance();
+                return intern(self.nodes, Node::Number(-value));
+            }
+            let zero = intern(self.nodes, Node::Number(0.0))?;
+            let inside = self.factor(lexer, depth)?;
+            return intern(self.nodes, Node::Difference(zero, inside));
+        }
+        let at = lexer.clone();
+        let node = match lexer.advance() {
+            Token::Number(value) => Node::Number(value),
+            Token::Name(name) if lexer.accept("(") => {
+                let node = self.call(name, &at, lexer)?;
+                lexer.expect(")", "expected `)`")?;
+                node
+            }
+            Token::Name(name) => self.name(name).ok_or_else(|| {
+                at.error(
+                    "unknown name: not an attribute, constant, parameter or coordinate of a point",
+                )
+            })?,
+            _ => return Err(at.error("expected a number, a name or `(`")),
+        };
+        intern(self.nodes, node)
+    }
+
+    fn call(&self, name: &str, at: &Lexer<'_>, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
+        if name == "area" {
+            let place = lexer.clone();
+            let object = lexer.expect_name("expected the name of an object")?;
+            let shape = self.domain.find_shape(object);
+            return shape
+                .map(Node::Area)
+                .ok_or_else(|| place.error("no `shape` is declared for this object"));
+        }
+        let metric = match name {
+            "dist" => Some(Metric::Straight),
+            "dist_x" => Some(Metric::X),
+            "dist_y" => Some(Metric::Y),
+            "dist_z" => Some(Metric::Z),
+            "angle" => None,
+            _ => {
+                return Err(at.error(
+                    "unknown function; there are dist, dist_x, dist_y, dist_z, angle and area",
+                ));
+            }
+        };
+        let a = self.point(lexer)?;
+        lexer.expect(",", "expected `,` and a second point")?;
+        let b = self.point(lexer)?;
+        Ok(metric.map_or(Node::Angle(a, b), |m| Node::Distance(m, a, b)))
+    }
+
+    fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Error> {
+        let at = lexer.clone();
+        let name = lexer.expect_name("expected the name of a point")?;
+        self.domain
+            .find_point(name)
+            .ok_or_else(|| at.error("unknown point"))
+    }
+
+    fn name(&self, name: &str) -> Option<Node> {
+        let domain = self.domain;
+        let leaf = domain
+            .find_parameter(name)
+            .map(Node::Parameter)
+            .or_else(|| domain.find_constant(name).map(Node::Constant))
+            .or_else(|| domain.find_slot(name).map(Node::Attribute));
+        if name == "pi" {
+            return leaf.or(Some(Node::Number(core::f64::consts::PI)));
+        }
+        leaf.or_else(|| {
+            let (point, coordinate) = name.rsplit_once('.')?;
+            let coordinate = match coordinate {
+                "x" => Coordinate::X,
+                "y" => Coordinate::Y,
+                "z" => Coordinate::Z,
+                "theta" => Coordinate::Theta,
+                _ => return None,
+            };
+            Some(Node::Coordinate(coordinate, domain.find_point(point)?))
+        })
+    }
+
+    fn dimension(&self, id: NodeId) -> Option<Dimension> {
+        self.domain.dimension(self.nodes, id)
+    }
+}
+
+fn deeper(lexer: &Lexer<'_>, depth: u8) -> Result<u8, Error> {
+    if depth < MAX_DEPTH {
+        Ok(depth + 1)
+    } else {
+        Err(lexer.error("the expression is nested too deeply or too long"))
+    }
+}

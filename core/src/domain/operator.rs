@@ -1,0 +1,122 @@
+//! Operators (thesis 4.1.1, Definition 2).
+
+use super::abstraction::{AtomSet, Atoms};
+use super::atom::{Arguments, Groundings, LiftedAtom, substitute};
+use super::controller::ControllerId;
+use super::state::{ObjectId, State, TypeId};
+use crate::error::Error;
+use heapless::VecView;
+
+/// Index of an [`Operator`] in the table of its environment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct OperatorId(pub u8);
+
+/// An operator omega = (PAR, PRE, EFF+, EFF-, CON).
+#[derive(Clone, Copy, Debug)]
+pub struct Operator<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// PAR: the types of its parameters.
+    pub parameters: &'a [TypeId],
+    /// PRE: what must hold before.
+    pub preconditions: &'a [LiftedAtom<'a>],
+    /// EFF+: what holds afterwards.
+    pub add_effects: &'a [LiftedAtom<'a>],
+    /// EFF-: what no longer holds afterwards, unless it is added.
+    pub delete_effects: &'a [LiftedAtom<'a>],
+    /// The controller of CON.
+    pub controller: ControllerId,
+    /// PAR_CON: for each object of the controller the index of a parameter.
+    pub controller_arguments: &'a [u8],
+}
+
+impl Operator<'_> {
+    /// The controller's objects when these stand for the operator's parameters.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] if there are fewer objects than parameters.
+    pub fn controller_objects(&self, objects: &[ObjectId]) -> Result<Arguments, Error> {
+        substitute(self.controller_arguments, objects)
+    }
+
+    /// The ground operator for these objects. `None` if a precondition or an add
+    /// effect is not among `atoms` because it names one object twice: it can
+    /// never hold.
+    pub fn ground(
+        &self,
+        id: OperatorId,
+        objects: Arguments,
+        atoms: &Atoms,
+    ) -> Option<GroundOperator> {
+        let set = |lifted: &[LiftedAtom<'_>]| {
+            lifted.iter().try_fold(AtomSet::EMPTY, |set, atom| {
+                let atom = atom.ground(objects.as_slice()).ok()?;
+                Some(set.union(atoms.singleton(&atom)?))
+            })
+        };
+        let deleted = self.delete_effects.iter().filter_map(|atom| {
+            let atom = atom.ground(objects.as_slice()).ok()?;
+            atoms.singleton(&atom)
+        });
+        Some(GroundOperator {
+            operator: id,
+            objects,
+            preconditions: set(self.preconditions)?,
+            add_effects: set(self.add_effects)?,
+            delete_effects: deleted.fold(AtomSet::EMPTY, AtomSet::union),
+        })
+    }
+}
+
+/// An operator with objects for its parameters; its atoms are sets over the
+/// [`Atoms`] of the task.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GroundOperator {
+    /// The operator.
+    pub operator: OperatorId,
+    /// The objects, one for each parameter.
+    pub objects: Arguments,
+    /// What must hold before.
+    pub preconditions: AtomSet,
+    /// What holds afterwards.
+    pub add_effects: AtomSet,
+    /// What no longer holds afterwards, unless it is added.
+    pub delete_effects: AtomSet,
+}
+
+impl GroundOperator {
+    /// Whether the preconditions hold.
+    pub fn is_applicable(&self, state: AtomSet) -> bool {
+        self.preconditions.is_subset(state)
+    }
+
+    /// The abstract transition F: deletes, then adds.
+    pub fn apply(&self, state: AtomSet) -> AtomSet {
+        state
+            .difference(self.delete_effects)
+            .union(self.add_effects)
+    }
+}
+
+/// Appends all ground operators of a task to `out`: in the order of `operators`,
+/// then of the objects, the last parameter changing fastest. An object may fill
+/// several parameters.
+///
+/// # Errors
+/// [`Error::CapacityExceeded`] if they find no room in `out`.
+pub fn ground_operators(
+    operators: &[Operator<'_>],
+    state: &State,
+    atoms: &Atoms,
+    out: &mut VecView<GroundOperator>,
+) -> Result<(), Error> {
+    for (id, operator) in (0..).map(OperatorId).zip(operators) {
+        for objects in Groundings::new(state, operator.parameters)? {
+            if let Some(ground) = operator.ground(id, objects, atoms) {
+                out.push(ground)
+                    .map_err(|_| Error::CapacityExceeded("ground operators"))?;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,341 @@
+//! What a planner knows about an action: objects, constants, parameters, points.
+
+use super::dimension::Dimension;
+use super::expression::{Node, NodeId};
+use crate::error::Error;
+use heapless::Vec;
+
+/// Most types in a domain.
+pub const MAX_TYPES: usize = 16;
+/// Most attributes, counted once per type.
+pub const MAX_ATTRIBUTES: usize = 64;
+/// Most objects in a domain.
+pub const MAX_OBJECTS: usize = 24;
+/// Most constants in a domain.
+pub const MAX_CONSTANTS: usize = 32;
+/// Most continuous parameters of an action.
+pub const MAX_PARAMETERS: usize = 6;
+/// Most points: placed objects, key points and sample points together.
+pub const MAX_POINTS: usize = 32;
+/// Most shapes.
+pub const MAX_SHAPES: usize = 16;
+/// Most terms in the offsets, turns and sizes of all points and shapes together.
+pub const MAX_DOMAIN_NODES: usize = 128;
+
+/// A kind of object and the numbers that describe one (thesis 4.1.1: the types
+/// and the dimensionality of their feature vectors).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Type<'t> {
+    /// Its name.
+    pub name: &'t str,
+    /// Where its attributes start among those of the domain.
+    pub(super) first: u8,
+    /// How many attributes it has.
+    pub(super) count: u8,
+}
+
+/// A dynamic number of an object, such as its position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attribute<'t> {
+    /// Its name, unique in its type.
+    pub name: &'t str,
+    /// What it measures.
+    pub dimension: Dimension,
+}
+
+/// A thing in the world; its attributes are read from the problem instance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Object<'t> {
+    /// Its name.
+    pub name: &'t str,
+    /// Index of its type.
+    pub type_index: u8,
+    /// Index of its first attribute in an instance.
+    pub first_slot: u8,
+}
+
+/// A static number, the same in every instance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constant<'t> {
+    /// Its name, usually `object.quantity`.
+    pub name: &'t str,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Its value.
+    pub value: f64,
+}
+
+/// A continuous parameter of the action.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameter<'t> {
+    /// Its name.
+    pub name: &'t str,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Smallest value.
+    pub low: f64,
+    /// Largest value.
+    pub high: f64,
+}
+
+/// What a point is placed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Base {
+    /// The fixed frame of the world.
+    World,
+    /// The pose of an object, by its index.
+    Object(u8),
+    /// An earlier point, by its index.
+    Point(u8),
+}
+
+/// A point with a direction: the pose of an object, or a virtual object (thesis
+/// 4.2) made from another one by turning and then translating in its frame.
+/// A point that moves with a parameter is a *sample point*.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point<'t> {
+    /// Name up to the first dot: `holder` of `holder.centre`.
+    pub owner: &'t str,
+    /// Name behind the first dot, empty if there is none.
+    pub part: &'t str,
+    /// The frame it is placed in.
+    pub base: Base,
+    /// Yaw, pitch and roll in that frame, where not zero.
+    pub turn: [Option<NodeId>; 3],
+    /// Translation in the turned frame, where not zero.
+    pub offset: [Option<NodeId>; 3],
+    /// Whether it depends on a parameter.
+    pub sampled: bool,
+}
+
+impl Point<'_> {
+    /// Whether it is the pose of an object itself.
+    pub fn is_object(&self) -> bool {
+        matches!(self.base, Base::Object(_)) && self.turn == [None; 3] && self.offset == [None; 3]
+    }
+
+    /// Whether it has a direction of its own: an object's, or one that is turned
+    /// from its base. Points that share a direction make no new angles.
+    pub fn has_heading(&self) -> bool {
+        self.is_object() || self.turn != [None; 3]
+    }
+}
+
+/// The outline of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// Around the object's position.
+    Circle {
+        /// Radius.
+        radius: NodeId,
+    },
+    /// Along the object's axes.
+    Rectangle {
+        /// Extent along the object's x axis.
+        width: NodeId,
+        /// Extent along the object's y axis.
+        height: NodeId,
+    },
+}
+
+/// The slots of an object's attributes that place it in the world.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct PoseSlots {
+    pub(crate) position: [Option<u8>; 3],
+    pub(crate) angles: [Option<u8>; 3],
+}
+
+/// Everything the learner may speak about. Made from text by
+/// [`Domain::parse`]; it borrows the names from that text.
+#[derive(Clone, Debug)]
+pub struct Domain<'t> {
+    pub(super) types: Vec<Type<'t>, MAX_TYPES>,
+    pub(super) attributes: Vec<Attribute<'t>, MAX_ATTRIBUTES>,
+    pub(super) objects: Vec<Object<'t>, MAX_OBJECTS>,
+    pub(super) constants: Vec<Constant<'t>, MAX_CONSTANTS>,
+    pub(super) parameters: Vec<Parameter<'t>, MAX_PARAMETERS>,
+    pub(super) points: Vec<Point<'t>, MAX_POINTS>,
+    pub(super) shapes: Vec<(u8, Shape), MAX_SHAPES>,
+    pub(super) nodes: Vec<Node, MAX_DOMAIN_NODES>,
+    pub(super) slots: u8,
+    pub(super) text: &'t str,
+    pub(super) fingerprint: u32,
+}
+
+impl<'t> Domain<'t> {
+    /// The text it was made from.
+    pub fn text(&self) -> &'t str {
+        self.text
+    }
+
+    /// A checksum of the text, to tell domains apart in saved bytes.
+    pub fn fingerprint(&self) -> u32 {
+        self.fingerprint
+    }
+
+    /// The types in order of declaration.
+    pub fn types(&self) -> &[Type<'t>] {
+        &self.types
+    }
+
+    /// The attributes of a type, in order; empty for an index that is none.
+    pub fn attributes_of(&self, type_index: u8) -> &[Attribute<'t>] {
+        let range = self.types.get(usize::from(type_index)).map(|t| {
+            let first = usize::from(t.first);
+            first..first + usize::from(t.count)
+        });
+        range.and_then(|r| self.attributes.get(r)).unwrap_or(&[])
+    }
+
+    /// The objects in order of declaration.
+    pub fn objects(&self) -> &[Object<'t>] {
+        &self.objects
+    }
+
+    /// The constants in order of declaration.
+    pub fn constants(&self) -> &[Constant<'t>] {
+        &self.constants
+    }
+
+    /// The parameters of the action in order of declaration.
+    pub fn parameters(&self) -> &[Parameter<'t>] {
+        &self.parameters
+    }
+
+    /// All points, bases before what is placed in them.
+    pub fn points(&self) -> &[Point<'t>] {
+        &self.points
+    }
+
+    /// The shapes, each with the index of its object.
+    pub fn shapes(&self) -> &[(u8, Shape)] {
+        &self.shapes
+    }
+
+    /// The terms that the points and shapes refer to.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// How many numbers a problem instance has: every attribute of every object,
+    /// in order of declaration.
+    pub fn instance_len(&self) -> usize {
+        usize::from(self.slots)
+    }
+
+    /// Every attribute of every object in the order of an instance.
+    pub fn slots(&self) -> impl Iterator<Item = (&Object<'t>, &Attribute<'t>)> {
+        self.objects
+            .iter()
+            .flat_map(|o| self.attributes_of(o.type_index).iter().map(move |a| (o, a)))
+    }
+
+    /// Checks that `instance` has one finite number per attribute.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a wrong length, [`Error::NotFinite`].
+    pub fn check_instance(&self, instance: &[f64]) -> Result<(), Error> {
+        if instance.len() != self.instance_len() {
+            return Err(Error::InvalidArgument(
+                "an instance needs one number per attribute of every object",
+            ));
+        }
+        all_finite(instance, "a number of an instance")
+    }
+
+    /// Checks that `theta` has one finite number per parameter.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a wrong length, [`Error::NotFinite`].
+    pub fn check_parameters(&self, theta: &[f64]) -> Result<(), Error> {
+        if theta.len() != self.parameters.len() {
+            return Err(Error::InvalidArgument(
+                "the action needs one number per parameter",
+            ));
+        }
+        all_finite(theta, "a parameter")
+    }
+
+    /// Index of the object with this name.
+    pub fn find_object(&self, name: &str) -> Option<u8> {
+        index_of(self.objects.iter().position(|o| o.name == name))
+    }
+
+    /// Index of the point with this name, `owner` or `owner.part`.
+    pub fn find_point(&self, name: &str) -> Option<u8> {
+        let (owner, part) = name.split_once('.').unwrap_or((name, ""));
+        let found = |p: &Point<'_>| p.owner == owner && p.part == part;
+        index_of(self.points.iter().position(found))
+    }
+
+    /// Index of the constant with this name.
+    pub fn find_constant(&self, name: &str) -> Option<u8> {
+        index_of(self.constants.iter().position(|c| c.name == name))
+    }
+
+    /// Index of the parameter with this name.
+    pub fn find_parameter(&self, name: &str) -> Option<u8> {
+        index_of(self.parameters.iter().position(|p| p.name == name))
+    }
+
+    /// Index in an instance of the attribute `object.attribute`.
+    pub fn find_slot(&self, name: &str) -> Option<u8> {
+        let (owner, attribute) = name.split_once('.')?;
+        let found = self
+            .slots()
+            .position(|(o, a)| o.name == owner && a.name == attribute);
+        index_of(found)
+    }
+
+    /// Index of the shape of the object with this name.
+    pub fn find_shape(&self, object: &str) -> Option<u8> {
+        let object = self.find_object(object)?;
+        index_of(self.shapes.iter().position(|(o, _)| *o == object))
+    }
+
+    /// Whether a position in this domain has a z coordinate.
+    pub fn is_spatial(&self) -> bool {
+        self.points.iter().any(|p| {
+            let [_, _, z] = p.offset;
+            z.is_some()
+                || matches!(p.base, Base::Object(o) if self.pose_slots(o).position[2].is_some())
+        })
+    }
+
+    /// Which attributes of an object place it: `x y z` and `theta` (or `yaw`),
+    /// `pitch`, `roll`.
+    pub(crate) fn pose_slots(&self, object: u8) -> PoseSlots {
+        let mut pose = PoseSlots::default();
+        let Some(found) = self.objects.get(usize::from(object)) else {
+            return pose;
+        };
+        let attributes = self.attributes_of(found.type_index);
+        for (attribute, slot) in attributes.iter().zip(found.first_slot..) {
+            let [x, y, z] = &mut pose.position;
+            let [yaw, pitch, roll] = &mut pose.angles;
+            let place = match attribute.name {
+                "x" => x,
+                "y" => y,
+                "z" => z,
+                "theta" | "yaw" => yaw,
+                "pitch" => pitch,
+                "roll" => roll,
+                _ => continue,
+            };
+            *place = Some(slot);
+        }
+        pose
+    }
+}
+
+fn index_of(position: Option<usize>) -> Option<u8> {
+    position.and_then(|i| u8::try_from(i).ok())
+}
+
+fn all_finite(numbers: &[f64], what: &'static str) -> Result<(), Error> {
+    if numbers.iter().all(|x| x.is_finite()) {
+        Ok(())
+    } else {
+        Err(Error::NotFinite(what))
+    }
+}

@@ -1,0 +1,90 @@
+//! PickStick as something to learn about: its domain text and its simulator.
+
+use super::{ROBOT, STICK, StickButton, World};
+use crate::domain::{Environment, OperatorId, State, try_operator};
+use crate::error::Error;
+use crate::learn::Answer;
+
+/// The operator PickStickFromNothing.
+pub const PICK_STICK_FROM_NOTHING: OperatorId = OperatorId(1);
+
+impl StickButton {
+    /// The domain text of picking the stick with one button on the table. An
+    /// instance has the numbers of a state with one button, in their order.
+    pub const PICK_DOMAIN: &'static str = include_str!("pick.txt");
+
+    /// How many numbers an instance of [`StickButton::PICK_DOMAIN`] has.
+    pub const PICK_INSTANCE_LEN: usize = 13;
+
+    /// Rolls PickStick out in an instance, with the first parameter as mu.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] if the instance has another length or there is
+    /// no parameter.
+    pub fn try_pick(&self, instance: &[f64], theta: &[f64]) -> Result<Answer, Error> {
+        let state = instance_state(instance)?;
+        let mu = theta
+            .first()
+            .ok_or(Error::InvalidArgument("picking needs the parameter mu"))?;
+        let operators = self.operators();
+        let pick = operators
+            .get(usize::from(PICK_STICK_FROM_NOTHING.0))
+            .ok_or(Error::InvalidArgument("there is no such operator"))?;
+        let outcome = try_operator(self, pick, &[ROBOT, STICK], &[*mu as f32], &state);
+        Ok(Answer::from_feasible(outcome.is_feasible()))
+    }
+}
+
+fn instance_state(instance: &[f64]) -> Result<State, Error> {
+    const WRONG: Error =
+        Error::InvalidArgument("an instance has 13 numbers: robot, stick, holder and one button");
+    let (robot, rest) = instance.split_first_chunk().ok_or(WRONG)?;
+    let (stick, rest) = rest.split_first_chunk().ok_or(WRONG)?;
+    let (holder, rest) = rest.split_first_chunk().ok_or(WRONG)?;
+    let (buttons @ [_], []) = rest.as_chunks() else {
+        return Err(WRONG);
+    };
+    let world = World {
+        robot,
+        stick,
+        holder,
+        buttons,
+    };
+    world.to_state()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+
+    #[test]
+    fn the_domain_text_agrees_with_the_environment() {
+        let domain = Domain::parse(StickButton::PICK_DOMAIN).unwrap();
+        assert_eq!(domain.instance_len(), StickButton::PICK_INSTANCE_LEN);
+        let types = StickButton::default().types();
+        for (object, kind) in domain.objects().iter().zip(types) {
+            assert_eq!(object.name, kind.name);
+            assert_eq!(domain.attributes_of(object.type_index), kind.attributes);
+        }
+        let constants = [
+            ("robot.radius", super::super::ROBOT_RADIUS),
+            ("button.radius", super::super::BUTTON_RADIUS),
+            ("stick.width", super::super::STICK_WIDTH),
+            ("stick.height", super::super::STICK_HEIGHT),
+            ("tip.width", super::super::TIP_WIDTH),
+            ("holder.width", super::super::HOLDER_WIDTH),
+            ("holder.height", super::super::HOLDER_HEIGHT),
+            ("table.right", super::super::TABLE_WIDTH),
+            ("table.top", super::super::TABLE_HEIGHT),
+            ("zone.top", super::super::ZONE_HEIGHT),
+        ];
+        assert_eq!(domain.constants().len(), constants.len());
+        for (name, value) in constants {
+            let constant = domain.constants().iter().find(|c| c.name == name).unwrap();
+            assert_eq!(constant.value, value, "{name}");
+        }
+        let pick = &StickButton::default().operators()[usize::from(PICK_STICK_FROM_NOTHING.0)];
+        assert_eq!(pick.name, "PickStickFromNothing");
+    }
+}

@@ -1,0 +1,507 @@
+//! Constraints joined by `and`, `or` and `not` (thesis 4.2), and their text form.
+//!
+//! ```text
+//! formula    = conjunction { "or" conjunction } ;
+//! conjunction= literal { "and" literal } ;
+//! literal    = "not" literal | "true" | "(" formula ")" | constraint ;
+//! constraint = expr ( "<" | "<=" | ">=" | ">" ) expr [ "(" expr ")" ] ;
+//! ```
+//!
+//! The expression in brackets behind a constraint names its right side:
+//! `grasp.y <= 2.9 (zone.top - robot.radius)`. It is kept, printed and otherwise
+//! ignored. `expr` is that of the [domain text](crate::domain).
+
+use crate::domain::{Domain, Node, NodeId, copy, intern};
+use crate::error::Error;
+use crate::text::{Lexer, Token};
+use core::fmt;
+use heapless::Vec;
+
+/// Most constraints in a formula.
+pub const MAX_CONSTRAINTS: usize = 32;
+/// Most terms in the expressions of a formula together.
+pub const MAX_FORMULA_NODES: usize = 160;
+/// Most constraints and connectives in a formula together.
+pub const MAX_FORMULA_STEPS: usize = 96;
+
+/// The four inequality symbols of the grammar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Comparison {
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>=`
+    GreaterEqual,
+    /// `>`
+    Greater,
+}
+
+impl Comparison {
+    /// All of them, in the order in which hypotheses are enumerated.
+    pub const ALL: [Comparison; 4] = [
+        Comparison::Less,
+        Comparison::LessEqual,
+        Comparison::GreaterEqual,
+        Comparison::Greater,
+    ];
+
+    /// Its symbol.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Comparison::Less => "<",
+            Comparison::LessEqual => "<=",
+            Comparison::GreaterEqual => ">=",
+            Comparison::Greater => ">",
+        }
+    }
+
+    /// Whether it bounds its left side from above.
+    pub const fn is_upper(self) -> bool {
+        matches!(self, Comparison::Less | Comparison::LessEqual)
+    }
+
+    /// Whether equality satisfies it.
+    pub const fn admits_equal(self) -> bool {
+        matches!(self, Comparison::LessEqual | Comparison::GreaterEqual)
+    }
+
+    /// Whether `left self right` holds; false for NaN.
+    pub fn holds<T: PartialOrd>(self, left: &T, right: &T) -> bool {
+        match self {
+            Comparison::Less => left < right,
+            Comparison::LessEqual => left <= right,
+            Comparison::GreaterEqual => left >= right,
+            Comparison::Greater => left > right,
+        }
+    }
+}
+
+/// `left comparison right`, with an optional name for the right side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constraint {
+    /// Left side, in the formula's nodes.
+    pub left: NodeId,
+    /// How the sides are compared.
+    pub comparison: Comparison,
+    /// Right side, in the formula's nodes.
+    pub right: NodeId,
+    /// What the right side is in terms of the domain's constants.
+    pub name: Option<NodeId>,
+}
+
+/// A step of a formula in postfix order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// Pushes the truth of a constraint, by its index.
+    Constraint(u8),
+    /// Pushes true.
+    True,
+    /// Replaces the top by its opposite.
+    Not,
+    /// Replaces the two topmost by whether both hold.
+    And,
+    /// Replaces the two topmost by whether one holds.
+    Or,
+}
+
+/// What is known of the truth of a statement about many samples at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Truth {
+    /// It may hold somewhere.
+    pub may_hold: bool,
+    /// It may fail somewhere.
+    pub may_fail: bool,
+}
+
+impl From<bool> for Truth {
+    fn from(holds: bool) -> Truth {
+        Truth {
+            may_hold: holds,
+            may_fail: !holds,
+        }
+    }
+}
+
+/// A statement about a sample in an instance: constraints and connectives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    nodes: Vec<Node, MAX_FORMULA_NODES>,
+    constraints: Vec<Constraint, MAX_CONSTRAINTS>,
+    steps: Vec<Step, MAX_FORMULA_STEPS>,
+}
+
+impl Default for Formula {
+    fn default() -> Self {
+        Formula::everything()
+    }
+}
+
+impl Formula {
+    /// The formula `true`, which holds for every sample.
+    pub const fn everything() -> Formula {
+        Formula {
+            nodes: Vec::new(),
+            constraints: Vec::new(),
+            steps: Vec::new(),
+        }
+    }
+
+    /// The terms its constraints refer to.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// Its constraints in order of the text.
+    pub fn constraints(&self) -> &[Constraint] {
+        &self.constraints
+    }
+
+    /// Constraints and connectives in postfix order; empty means `true`.
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// Adds `and left comparison bound (name)`; the ids refer to `nodes`, from
+    /// which the terms are copied.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`]; the formula is as it was.
+    pub fn and(
+        &mut self,
+        nodes: &[Node],
+        left: NodeId,
+        comparison: Comparison,
+        bound: f64,
+        name: Option<NodeId>,
+    ) -> Result<(), Error> {
+        let kept = (self.nodes.len(), self.constraints.len(), self.steps.len());
+        let mut add = || {
+            let joined = !self.steps.is_empty();
+            let constraint = Constraint {
+                left: copy(nodes, left, &mut self.nodes)?,
+                comparison,
+                right: intern(&mut self.nodes, Node::Number(bound))?,
+                name: match name {
+                    Some(name) => Some(copy(nodes, name, &mut self.nodes)?),
+                    None => None,
+                },
+            };
+            self.push_constraint(constraint)?;
+            if joined {
+                self.push_step(Step::And)?;
+            }
+            Ok(())
+        };
+        let added = add();
+        if added.is_err() {
+            self.truncate(kept);
+        }
+        added
+    }
+
+    fn push_constraint(&mut self, constraint: Constraint) -> Result<(), Error> {
+        const FULL: Error = Error::CapacityExceeded("constraints of a region");
+        let index = u8::try_from(self.constraints.len()).map_err(|_| FULL)?;
+        self.constraints.push(constraint).map_err(|_| FULL)?;
+        self.push_step(Step::Constraint(index))
+    }
+
+    fn push_step(&mut self, step: Step) -> Result<(), Error> {
+        self.steps
+            .push(step)
+            .map_err(|_| Error::CapacityExceeded("connectives of a region"))
+    }
+
+    fn truncate(&mut self, (nodes, constraints, steps): (usize, usize, usize)) {
+        self.nodes.truncate(nodes);
+        self.constraints.truncate(constraints);
+        self.steps.truncate(steps);
+    }
+
+    /// Whether it holds, given which constraints hold.
+    pub fn holds(&self, mut constraint: impl FnMut(&Constraint) -> bool) -> bool {
+        self.truth(|c| constraint(c).into()).may_hold
+    }
+
+    /// What is known of it, given what is known of each constraint.
+    pub fn truth(&self, mut constraint: impl FnMut(&Constraint) -> Truth) -> Truth {
+        // One bit per stack entry: a formula of 96 steps is at most 48 deep.
+        let (mut hold, mut fail) = (0u64, 0u64);
+        let bit = |flag: bool| u64::from(flag);
+        for step in &self.steps {
+            match step {
+                Step::Constraint(index) => {
+                    let known = self.constraints.get(usize::from(*index));
+                    let truth = known.map_or(Truth::from(false), &mut constraint);
+                    hold = hold << 1 | bit(truth.may_hold);
+                    fail = fail << 1 | bit(truth.may_fail);
+                }
+                Step::True => {
+                    hold = hold << 1 | 1;
+                    fail <<= 1;
+                }
+                Step::Not => {
+                    let swapped = (hold ^ fail) & 1;
+                    hold ^= swapped;
+                    fail ^= swapped;
+                }
+                Step::And => {
+                    hold = hold >> 1 & (hold | !1);
+                    fail = fail >> 1 | (fail & 1);
+                }
+                Step::Or => {
+                    hold = hold >> 1 | (hold & 1);
+                    fail = fail >> 1 & (fail | !1);
+                }
+            }
+        }
+        if self.steps.is_empty() {
+            return true.into();
+        }
+        Truth {
+            may_hold: hold & 1 == 1,
+            may_fail: fail & 1 == 1,
+        }
+    }
+
+    /// Reads a formula; the whole text must be one.
+    ///
+    /// # Errors
+    /// [`Error::Syntax`] with line and column; [`Error::CapacityExceeded`].
+    pub fn parse(domain: &Domain<'_>, text: &str) -> Result<Formula, Error> {
+        let mut parser = FormulaParser {
+            domain,
+            lexer: Lexer::new(text),
+            formula: Formula::everything(),
+            depth: 0,
+        };
+        parser.disjunction()?;
+        if parser.lexer.token() != Token::End {
+            return Err(parser.lexer.error("expected `and`, `or` or the end"));
+        }
+        if parser.formula.steps.as_slice() == [Step::True] {
+            return Ok(Formula::everything());
+        }
+        Ok(parser.formula)
+    }
+
+    /// Writes the formula so that reading it gives the same formula.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, domain: &Domain<'_>, out: &mut dyn fmt::Write) -> fmt::Result {
+        match self.steps.len().checked_sub(1) {
+            None => out.write_str("true"),
+            Some(last) => self.write_step(domain, out, last, Precedence::Or),
+        }
+    }
+
+    fn write_step(
+        &self,
+        domain: &Domain<'_>,
+        out: &mut dyn fmt::Write,
+        at: usize,
+        place: Precedence,
+    ) -> fmt::Result {
+        let (word, own) = match self.steps.get(at).ok_or(fmt::Error)? {
+            Step::True => return out.write_str("true"),
+            Step::Constraint(index) => {
+                let constraint = self.constraints.get(usize::from(*index));
+                return self.write_constraint(domain, out, constraint.ok_or(fmt::Error)?);
+            }
+            Step::Not => {
+                out.write_str("not ")?;
+                return self.write_step(domain, out, before(at)?, Precedence::Literal);
+            }
+            Step::And => (" and ", Precedence::And),
+            Step::Or => (" or ", Precedence::Or),
+        };
+        let right = before(at)?;
+        let left = before(self.start_of(right)?)?;
+        let brackets = own < place;
+        if brackets {
+            out.write_char('(')?;
+        }
+        self.write_step(domain, out, left, own)?;
+        out.write_str(word)?;
+        self.write_step(domain, out, right, own.above())?;
+        if brackets {
+            out.write_char(')')?;
+        }
+        Ok(())
+    }
+
+    /// Writes one constraint of the formula.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_constraint(
+        &self,
+        domain: &Domain<'_>,
+        out: &mut dyn fmt::Write,
+        constraint: &Constraint,
+    ) -> fmt::Result {
+        domain.write_expression(out, &self.nodes, constraint.left)?;
+        out.write_char(' ')?;
+        out.write_str(constraint.comparison.symbol())?;
+        out.write_char(' ')?;
+        domain.write_expression(out, &self.nodes, constraint.right)?;
+        if let Some(name) = constraint.name {
+            out.write_str(" (")?;
+            domain.write_expression(out, &self.nodes, name)?;
+            out.write_char(')')?;
+        }
+        Ok(())
+    }
+
+    /// Index of the first step of the statement that ends at `at`.
+    fn start_of(&self, mut at: usize) -> Result<usize, fmt::Error> {
+        let mut missing = 1usize;
+        loop {
+            missing = match self.steps.get(at).ok_or(fmt::Error)? {
+                Step::Constraint(_) | Step::True => missing.saturating_sub(1),
+                Step::Not => missing,
+                Step::And | Step::Or => missing + 1,
+            };
+            if missing == 0 {
+                return Ok(at);
+            }
+            at = before(at)?;
+        }
+    }
+}
+
+fn before(at: usize) -> Result<usize, fmt::Error> {
+    at.checked_sub(1).ok_or(fmt::Error)
+}
+
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Precedence {
+    Or,
+    And,
+    Literal,
+}
+
+impl Precedence {
+    fn above(self) -> Precedence {
+        match self {
+            Precedence::Or => Precedence::And,
+            Precedence::And | Precedence::Literal => Precedence::Literal,
+        }
+    }
+}
+
+/// Deepest nesting of brackets and `not` in a formula's text.
+const MAX_NESTING: u8 = 12;
+
+struct FormulaParser<'d, 't, 's> {
+    domain: &'d Domain<'t>,
+    lexer: Lexer<'s>,
+    formula: Formula,
+    depth: u8,
+}
+
+impl FormulaParser<'_, '_, '_> {
+    fn disjunction(&mut self) -> Result<(), Error> {
+        self.conjunction()?;
+        while self.lexer.accept("or") {
+            self.conjunction()?;
+            self.formula.push_step(Step::Or)?;
+        }
+        Ok(())
+    }
+
+    fn conjunction(&mut self) -> Result<(), Error> {
+        self.literal()?;
+        while self.lexer.accept("and") {
+            self.literal()?;
+            self.formula.push_step(Step::And)?;
+        }
+        Ok(())
+    }
+
+    fn literal(&mut self) -> Result<(), Error> {
+        if self.depth >= MAX_NESTING {
+            return Err(self.lexer.error("the formula is nested too deeply"));
+        }
+        self.depth += 1;
+        let read = self.nested_literal();
+        self.depth -= 1;
+        read
+    }
+
+    fn nested_literal(&mut self) -> Result<(), Error> {
+        if self.lexer.accept("not") {
+            self.literal()?;
+            return self.formula.push_step(Step::Not);
+        }
+        if self.lexer.accept("true") {
+            return self.formula.push_step(Step::True);
+        }
+        if self.lexer.token() != Token::Symbol("(") {
+            return self.constraint();
+        }
+        // A bracket opens an expression or a formula: try both, and report the
+        // error of the reading that got further.
+        let (lexer, formula) = (self.lexer.clone(), &self.formula);
+        let kept = (
+            formula.nodes.len(),
+            formula.constraints.len(),
+            formula.steps.len(),
+        );
+        let Err(as_constraint) = self.constraint() else {
+            return Ok(());
+        };
+        self.lexer = lexer;
+        self.formula.truncate(kept);
+        self.lexer.advance();
+        let as_formula = self
+            .disjunction()
+            .and_then(|()| self.lexer.expect(")", "expected `and`, `or` or `)`"));
+        as_formula.map_err(|error| further(as_constraint, error))
+    }
+
+    fn constraint(&mut self) -> Result<(), Error> {
+        let left = self.expression()?;
+        let at = self.lexer.clone();
+        let comparison = Comparison::ALL
+            .into_iter()
+            .find(|c| self.lexer.token() == Token::Symbol(c.symbol()))
+            .ok_or_else(|| at.error("expected `<`, `<=`, `>=` or `>`"))?;
+        self.lexer.advance();
+        let right = self.expression()?;
+        let mut name = None;
+        if self.lexer.accept("(") {
+            name = Some(self.expression()?);
+            self.lexer
+                .expect(")", "expected `)` behind the name of the bound")?;
+        }
+        let dimension = |id: NodeId| self.domain.dimension(&self.formula.nodes, id);
+        let sides = [Some(left), Some(right), name].map(|id| id.and_then(dimension));
+        let mut measured = sides.iter().flatten();
+        if let Some(first) = measured.next()
+            && measured.any(|d| d != first)
+        {
+            return Err(at.error("the two sides have different dimensions"));
+        }
+        self.formula.push_constraint(Constraint {
+            left,
+            comparison,
+            right,
+            name,
+        })
+    }
+
+    fn expression(&mut self) -> Result<NodeId, Error> {
+        self.domain
+            .parse_expression(&mut self.lexer, &mut self.formula.nodes)
+    }
+}
+
+fn further(a: Error, b: Error) -> Error {
+    match (a, b) {
+        (Error::Syntax(x), Error::Syntax(y)) if (x.line, x.column) > (y.line, y.column) => a,
+        _ => b,
+    }
+}

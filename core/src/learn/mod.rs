@@ -1,0 +1,112 @@
+//! Learning a region by asking for samples and being told what came of them.
+//!
+//! A learner never owns the simulator. It is *asked* for a [`Query`], the next
+//! sample to try, and *told* the [`Answer`]; [`learn_region`] is that loop and
+//! nothing more. So a simulator can be a function, a thread pool, another process
+//! or a robot, and a run can be saved and resumed: everything a learner knows
+//! follows from its configuration and its observations.
+//!
+//! | learner | idea |
+//! |---|---|
+//! | [`Algorithm1`] | the thesis's Algorithm 1: prune `left op right` hypotheses |
+
+mod algorithm1;
+mod log;
+mod problem;
+
+pub use algorithm1::{Algorithm1, Bounds, Capacity, Config, Memory, Report};
+pub use log::{Observation, resume, save, saved_len};
+pub use problem::Problem;
+
+use crate::error::Error;
+use crate::region::{Region, Theta};
+
+/// The sample a learner wants tried: z = (p, theta) (thesis Eq. 4.3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Query {
+    /// Index of the problem instance.
+    pub instance: usize,
+    /// The parameters of the action.
+    pub theta: Theta,
+}
+
+/// What came of a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// The action worked.
+    Feasible,
+    /// The action failed; in a sequence of actions, the number of the one that
+    /// failed, from one.
+    FailedStep(u32),
+}
+
+impl Answer {
+    /// The answer about a single action.
+    pub fn from_feasible(feasible: bool) -> Answer {
+        if feasible {
+            Answer::Feasible
+        } else {
+            Answer::FailedStep(1)
+        }
+    }
+
+    /// Whether the action worked.
+    pub fn is_feasible(self) -> bool {
+        self == Answer::Feasible
+    }
+}
+
+/// The interface that all learners share.
+pub trait Learner {
+    /// The sample to try next. Asking again before the answer is told gives the
+    /// same sample.
+    ///
+    /// # Errors
+    /// [`Error::OutOfSequence`] if learning is finished; [`Error::Mismatch`] if
+    /// the problem is not the one learning began with.
+    fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error>;
+
+    /// Takes the answer to the last query.
+    ///
+    /// # Errors
+    /// [`Error::OutOfSequence`] if nothing was asked,
+    /// [`Error::CapacityExceeded`] if there is no room for another observation;
+    /// what was learned so far stays valid.
+    fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error>;
+
+    /// Whether there is nothing more to ask.
+    fn is_finished(&self) -> bool;
+
+    /// What is learned so far.
+    ///
+    /// # Errors
+    /// [`Error::NoRegion`] if no constraint explains the observations.
+    fn region(&self) -> Result<&Region, Error>;
+
+    /// All that was asked and told, in order.
+    fn observations(&self) -> &[Observation];
+
+    /// A checksum of everything that decides what is asked, apart from the
+    /// problem and the answers.
+    fn fingerprint(&self) -> u32;
+}
+
+/// Asks, tries and tells until the learner is finished, and returns the region.
+///
+/// `simulate` tries a sample; its error ends the learning and is passed on, and
+/// the learner can be asked again afterwards. See [`Algorithm1`] for an example.
+///
+/// # Errors
+/// Those of [`Learner`] and of `simulate`.
+pub fn learn_region<'l, L: Learner, E: From<Error>>(
+    learner: &'l mut L,
+    problem: &Problem<'_>,
+    mut simulate: impl FnMut(&L, &Query) -> Result<Answer, E>,
+) -> Result<&'l Region, E> {
+    while !learner.is_finished() {
+        let query = learner.ask(problem)?;
+        let answer = simulate(learner, &query)?;
+        learner.tell(problem, answer)?;
+    }
+    Ok(learner.region()?)
+}

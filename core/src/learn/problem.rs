@@ -1,0 +1,81 @@
+//! What is learned about: a domain and its problem instances.
+
+use crate::domain::{CHECKSUM, Domain};
+use crate::error::Error;
+
+/// A domain and the problem instances P in which samples are tried (thesis 4.3).
+#[derive(Clone, Copy, Debug)]
+pub struct Problem<'p> {
+    domain: &'p Domain<'p>,
+    instances: &'p [f64],
+    count: usize,
+    fingerprint: u32,
+}
+
+impl<'p> Problem<'p> {
+    /// The problem of `count` instances that stand one behind the other in
+    /// `instances`, each with [`Domain::instance_len`] numbers.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a wrong length or no instance,
+    /// [`Error::NotFinite`].
+    pub fn new(domain: &'p Domain<'p>, instances: &'p [f64], count: usize) -> Result<Self, Error> {
+        if count == 0 {
+            return Err(Error::InvalidArgument("learning needs a problem instance"));
+        }
+        if domain.parameters().is_empty() {
+            return Err(Error::InvalidArgument(
+                "the domain declares no parameter to learn about",
+            ));
+        }
+        if domain.instance_len().checked_mul(count) != Some(instances.len()) {
+            return Err(Error::InvalidArgument(
+                "the instances need one number per attribute of every object",
+            ));
+        }
+        if !instances.iter().all(|x| x.is_finite()) {
+            return Err(Error::NotFinite("a number of an instance"));
+        }
+        let mut digest = CHECKSUM.digest();
+        digest.update(&domain.fingerprint().to_le_bytes());
+        for value in instances {
+            digest.update(&value.to_bits().to_le_bytes());
+        }
+        Ok(Problem {
+            domain,
+            instances,
+            count,
+            fingerprint: digest.finalize(),
+        })
+    }
+
+    /// The domain.
+    pub fn domain(&self) -> &'p Domain<'p> {
+        self.domain
+    }
+
+    /// How many instances there are.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The numbers of an instance, one per attribute.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for an index that is none.
+    pub fn instance(&self, index: usize) -> Result<&'p [f64], Error> {
+        let length = self.domain.instance_len();
+        let range = index
+            .checked_mul(length)
+            .filter(|_| index < self.count)
+            .and_then(|start| self.instances.get(start..start.checked_add(length)?));
+        range.ok_or(Error::InvalidArgument(
+            "there is no instance with this index",
+        ))
+    }
+
+    /// A checksum of the domain text and all instances.
+    pub fn fingerprint(&self) -> u32 {
+        self.fingerprint
+    }
+}

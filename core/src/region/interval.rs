@@ -1,0 +1,146 @@
+//! Exact sets of numbers: sorted, disjoint intervals.
+
+use crate::error::Error;
+use crate::grammar::MAX_CONSTRAINTS;
+use crate::real::Real;
+use heapless::Vec;
+
+/// Most ends that the constraints of a region can have along a line: two each,
+/// and the two ends of the line.
+pub(super) const MAX_BREAKS: usize = 2 * MAX_CONSTRAINTS + 2;
+
+/// All numbers between two ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval<R> {
+    /// Lower end.
+    pub low: R,
+    /// Upper end, not below the lower.
+    pub high: R,
+    /// Whether the lower end belongs to it.
+    pub low_closed: bool,
+    /// Whether the upper end belongs to it.
+    pub high_closed: bool,
+}
+
+impl<R: Real> Interval<R> {
+    /// Its length.
+    pub fn length(&self) -> R {
+        self.high - self.low
+    }
+
+    /// Whether `value` belongs to it.
+    pub fn contains(&self, value: R) -> bool {
+        let above = value > self.low || (self.low_closed && value == self.low);
+        let below = value < self.high || (self.high_closed && value == self.high);
+        above && below
+    }
+}
+
+/// A set of numbers as sorted intervals that do not touch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IntervalSet<R> {
+    intervals: Vec<Interval<R>, MAX_BREAKS>,
+}
+
+impl<R: Real> Default for IntervalSet<R> {
+    fn default() -> Self {
+        IntervalSet {
+            intervals: Vec::new(),
+        }
+    }
+}
+
+impl<R: Real> IntervalSet<R> {
+    /// The intervals, from low to high.
+    pub fn intervals(&self) -> &[Interval<R>] {
+        &self.intervals
+    }
+
+    /// Whether no number belongs to it.
+    pub fn is_empty(&self) -> bool {
+        self.intervals.is_empty()
+    }
+
+    /// Whether `value` belongs to it.
+    pub fn contains(&self, value: R) -> bool {
+        self.intervals.iter().any(|i| i.contains(value))
+    }
+
+    /// The sum of the lengths.
+    pub fn length(&self) -> R {
+        let lengths = self.intervals.iter().map(Interval::length);
+        lengths.fold(R::ZERO, |sum, length| sum + length)
+    }
+
+    /// The longest interval.
+    pub fn widest(&self) -> Option<&Interval<R>> {
+        let mut intervals = self.intervals.iter();
+        let first = intervals.next()?;
+        Some(intervals.fold(
+            first,
+            |best, i| {
+                if i.length() > best.length() { i } else { best }
+            },
+        ))
+    }
+
+    /// The number below which a share of `share` in `[0, 1)` of the set's length
+    /// lies, so that a uniform share gives a uniform number. A set without length
+    /// gives its first point.
+    pub fn quantile(&self, share: R) -> Option<R> {
+        let mut left = share * self.length();
+        let last = self.intervals.last()?;
+        for interval in &self.intervals {
+            if left < interval.length() {
+                return Some(interval.low + left);
+            }
+            left -= interval.length();
+        }
+        // Rounding may leave a rest; a set of points has no length at all.
+        let first = self.intervals.first()?;
+        Some(if self.length() > R::ZERO {
+            last.high
+        } else {
+            first.low
+        })
+    }
+
+    /// Appends what is true between breaks that ascend: `point` and `gap` tell for
+    /// each break whether it belongs to the set and whether what follows it does.
+    pub(super) fn from_breaks(
+        breaks: &[R],
+        point: impl Fn(R) -> bool,
+        gap: impl Fn(R, R) -> bool,
+    ) -> Result<Self, Error> {
+        let mut set = Self::default();
+        let mut open: Option<(R, bool)> = None;
+        let nexts = breaks.iter().skip(1).map(Some).chain([None]);
+        for (at, next) in breaks.iter().zip(nexts) {
+            let here = point(*at);
+            let after = next.is_some_and(|next| gap(*at, *next));
+            match (open, here, after) {
+                (None, true, true) => open = Some((*at, true)),
+                (None, false, true) => open = Some((*at, false)),
+                (None, true, false) => set.push(*at, *at, true, true)?,
+                (None, false, false) | (Some(_), true, true) => {}
+                (Some((low, closed)), _, _) => {
+                    set.push(low, *at, closed, here)?;
+                    open = after.then_some((*at, here));
+                }
+            }
+        }
+        Ok(set)
+    }
+
+    fn push(&mut self, low: R, high: R, low_closed: bool, high_closed: bool) -> Result<(), Error> {
+        let interval = Interval {
+            low,
+            high,
+            low_closed,
+            high_closed,
+        };
+        self.intervals
+            .push(interval)
+            .map_err(|_| Error::CapacityExceeded("intervals of a region"))
+    }
+}

@@ -1,0 +1,73 @@
+//! A table of fixed capacity in memory that the caller lends.
+//!
+//! Two kinds of table exist in the library. Where the capacity is a constant
+//! (the objects of a domain, the constraints of a region) it is a
+//! `heapless::Vec`. Where the user chooses it at run time (hypotheses,
+//! observations) it is a [`Table`]: a C program lends one block of memory whose
+//! size only it knows, which `heapless` cannot express without unsafe code.
+
+use crate::error::Error;
+
+/// A vector over a borrowed slice; pushing to a full one is an error.
+#[derive(Debug)]
+pub struct Table<'m, T> {
+    slots: &'m mut [T],
+    used: usize,
+    what: &'static str,
+}
+
+impl<'m, T> Table<'m, T> {
+    /// An empty table whose capacity is the length of `slots`; `what` names it
+    /// in the error of a push that finds no room.
+    pub fn new(slots: &'m mut [T], what: &'static str) -> Self {
+        Table {
+            slots,
+            used: 0,
+            what,
+        }
+    }
+
+    /// Appends an item.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if the table is full; it stays as it was.
+    pub fn push(&mut self, item: T) -> Result<(), Error> {
+        let slot = self
+            .slots
+            .get_mut(self.used)
+            .ok_or(Error::CapacityExceeded(self.what))?;
+        *slot = item;
+        self.used += 1;
+        Ok(())
+    }
+
+    /// Forgets all items.
+    pub fn clear(&mut self) {
+        self.used = 0;
+    }
+
+    /// How many items there can be.
+    pub fn capacity(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// How many items there are.
+    pub fn len(&self) -> usize {
+        self.used
+    }
+
+    /// Whether there are no items.
+    pub fn is_empty(&self) -> bool {
+        self.used == 0
+    }
+
+    /// The items.
+    pub fn as_slice(&self) -> &[T] {
+        self.slots.get(..self.used).unwrap_or(&[])
+    }
+
+    /// The items, to change.
+    pub fn as_mut_slice(&mut self) -> &mut [T] {
+        self.slots.get_mut(..self.used).unwrap_or(&mut [])
+    }
+}

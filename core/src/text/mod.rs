@@ -1,0 +1,47 @@
+//! Reading and writing the library's one text form: domains, expressions, regions.
+
+mod lexer;
+mod number;
+
+pub use lexer::{Lexer, Token};
+pub use number::{read_number, write_number};
+
+use core::fmt;
+
+/// A text of bounded length in borrowed bytes, for `core::fmt::Write`.
+///
+/// It keeps counting when it is full, so that one pass tells how much room a
+/// text needs.
+#[derive(Debug)]
+pub struct TextBuffer<'b> {
+    bytes: &'b mut [u8],
+    needed: usize,
+}
+
+impl<'b> TextBuffer<'b> {
+    /// An empty text with room for `bytes.len()` bytes.
+    pub fn new(bytes: &'b mut [u8]) -> Self {
+        TextBuffer { bytes, needed: 0 }
+    }
+
+    /// How many bytes the whole text takes, also those that found no room.
+    pub fn needed(&self) -> usize {
+        self.needed
+    }
+
+    /// The text, or `None` if it did not fit.
+    pub fn as_str(&self) -> Option<&str> {
+        core::str::from_utf8(self.bytes.get(..self.needed)?).ok()
+    }
+}
+
+impl fmt::Write for TextBuffer<'_> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let room = self.bytes.iter_mut().skip(self.needed);
+        for (slot, byte) in room.zip(text.bytes()) {
+            *slot = byte;
+        }
+        self.needed = self.needed.saturating_add(text.len());
+        Ok(())
+    }
+}
