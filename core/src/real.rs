@@ -37,6 +37,8 @@ pub trait Real:
     const ONE: Self;
     /// Positive infinity.
     const INFINITY: Self;
+    /// Not a number.
+    const NAN: Self;
     /// The distance from one to the next larger number.
     const EPSILON: Self;
 
@@ -81,6 +83,7 @@ impl Real for f64 {
     const ZERO: f64 = 0.0;
     const ONE: f64 = 1.0;
     const INFINITY: f64 = f64::INFINITY;
+    const NAN: f64 = f64::NAN;
     const EPSILON: f64 = f64::EPSILON;
 
     fn from_f64(value: f64) -> f64 {
@@ -113,6 +116,7 @@ impl Real for f32 {
     const ZERO: f32 = 0.0;
     const ONE: f32 = 1.0;
     const INFINITY: f32 = f32::INFINITY;
+    const NAN: f32 = f32::NAN;
     const EPSILON: f32 = f32::EPSILON;
 
     fn from_f64(value: f64) -> f32 {
@@ -189,6 +193,7 @@ mod fast {
         const ZERO: Fast32 = Fast32(0.0);
         const ONE: Fast32 = Fast32(1.0);
         const INFINITY: Fast32 = Fast32(f32::INFINITY);
+        const NAN: Fast32 = Fast32(f32::NAN);
         const EPSILON: Fast32 = Fast32(f32::EPSILON);
 
         fn from_f64(value: f64) -> Fast32 {

@@ -1,1 +1,5 @@
-//! draft
+//! What the tests, benchmarks and reports of critreg share.
+pub mod arm;
+pub mod data;
+pub mod pick;
+pub mod room;

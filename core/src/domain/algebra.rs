@@ -38,7 +38,7 @@ impl<R: Real> Arithmetic<R> for R {
         value
     }
     fn unknown() -> R {
-        R::INFINITY - R::INFINITY
+        R::NAN
     }
     fn plus(self, other: R) -> R {
         self + other
@@ -163,9 +163,8 @@ pub struct Curve<R> {
 impl<R: Real> Curve<R> {
     /// Whether its value along the line is known.
     pub fn is_known(&self) -> bool {
-        let vector = self.vector.iter().map(|v| v.at + v.slope);
-        (self.line.at + self.line.slope + self.factor).is_finite()
-            && vector.fold(true, |known, v| known && v.is_finite())
+        let mut vector = self.vector.iter().map(|v| v.at + v.slope);
+        (self.line.at + self.line.slope + self.factor).is_finite() && vector.all(Real::is_finite)
     }
 
     /// The value at `t`.
@@ -175,6 +174,13 @@ impl<R: Real> Curve<R> {
             return straight;
         }
         straight + self.factor * R::norm(self.vector.map(|v| v.at + v.slope * t))
+    }
+
+    /// Whether the value at `t` is zero but for rounding.
+    pub fn is_near_zero(&self, t: R) -> bool {
+        let size = self.line.at.abs() + (self.line.slope * t).abs();
+        let tolerance = R::EPSILON.sqrt() * (R::ONE + size);
+        self.value(t).abs() <= tolerance
     }
 
     fn sum(self, other: Self, sign: R) -> Self {

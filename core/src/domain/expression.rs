@@ -86,7 +86,7 @@ pub const MAX_DEPTH: u8 = 12;
 ///
 /// # Errors
 /// [`Error::CapacityExceeded`] if the list is full.
-pub fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, Error> {
+pub(crate) fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, Error> {
     const FULL: Error = Error::CapacityExceeded("terms of expressions");
     let place = match nodes.iter().position(|n| *n == node) {
         Some(place) => place,
@@ -102,7 +102,7 @@ pub fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, Error> {
 ///
 /// # Errors
 /// [`Error::CapacityExceeded`] if the target is full.
-pub fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<NodeId, Error> {
+pub(crate) fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<NodeId, Error> {
     let node = match node_at(from, id)? {
         Node::Sum(a, b) => Node::Sum(copy(from, a, to)?, copy(from, b, to)?),
         Node::Difference(a, b) => Node::Difference(copy(from, a, to)?, copy(from, b, to)?),
@@ -158,6 +158,17 @@ impl Domain<'_> {
             Ok(Node::Number(_) | Node::Constant(_) | Node::Area(_)) | Err(_) => {
                 Dependence::Constant
             }
+        }
+    }
+
+    /// A bit for each parameter in an expression, those of points left out.
+    pub(super) fn parameters_of(&self, nodes: &[Node], id: NodeId) -> u32 {
+        match node_at(nodes, id) {
+            Ok(Node::Parameter(p)) => 1u32.checked_shl(u32::from(p)).unwrap_or(0),
+            Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
+                self.parameters_of(nodes, a) | self.parameters_of(nodes, b)
+            }
+            _ => 0,
         }
     }
 

@@ -1,4 +1,46 @@
-//! draft
+//! The problem setting of thesis 4.1.1, in two halves.
+//!
+//! *What a planner knows*, for learning: a [`Domain`] has types, objects with
+//! attributes, constants, the parameters of an action, and points. [`Node`]s are
+//! terms over it; a [`Scene`] puts an instance into them, a [`Sample`] parameters.
+//!
+//! *What a planner does*: an [`Environment`] has a simulator, [`Predicate`]s,
+//! [`Operator`]s (Definition 2) and [`Controller`]s; a [`State`] is abstracted to
+//! the [`AtomSet`] of what holds in it (Definition 1), and [`try_operator`] rolls
+//! an operator out and looks at its effects.
+//!
+//! # The domain text
+//!
+//! ```text
+//! domain    = { statement } ;                                (* "#" starts a comment *)
+//! statement = type | object | constant | parameter | shape | point ;
+//! type      = "type" name attributes ;
+//! object    = "object" name ( attributes | { "," name } ":" name ) ;
+//! attributes= "{" [ name ":" dimension { "," name ":" dimension } ] "}" ;
+//! dimension = "length" | "angle" | "area" | "flag" | "none" ;
+//! constant  = "constant" path "=" expr ":" dimension ;
+//! parameter = "parameter" name "in" "[" expr "," expr "]" [ ":" dimension ] ;
+//! shape     = "shape" name "=" ( "circle" "(" expr ")"
+//!                              | "rectangle" "(" expr "," expr ")" [ "centred" ] ) ;
+//! point     = "point" path "=" frame [ "turned" turn ] [ "+" offset ] ;
+//! frame     = "world" | path ;                               (* an object or an earlier point *)
+//! turn      = factor | "(" expr "," expr "," expr ")" ;      (* yaw, or yaw, pitch, roll *)
+//! offset    = "(" expr "," expr [ "," expr ] ")" ;
+//! expr      = term { ( "+" | "-" ) term } ;
+//! term      = factor { "*" factor } ;
+//! factor    = number | "pi" | path | "-" factor | "(" expr ")" | call ;
+//! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" ) "(" path "," path ")"
+//!           | "area" "(" name ")" ;
+//! path      = name { "." name } ;
+//! ```
+//!
+//! An object whose type has the attributes `x` and `y` (and `z`, `theta` or
+//! `yaw`, `pitch`, `roll`) is a point as well. The corner of a `rectangle` is the
+//! object's position unless it is `centred`; a shape adds the key points `left`,
+//! `right`, `bottom`, `top` and, for rectangles, `centre` (thesis 4.2).
+//! Offsets, turns and sizes are made of numbers, constants, attributes and
+//! parameters; a point that depends on a parameter is a sample point.
+
 mod abstraction;
 mod algebra;
 mod atom;
@@ -13,6 +55,10 @@ mod schema;
 mod state;
 mod task;
 mod trial;
+
+pub(crate) use description::CHECKSUM;
+pub(crate) use expression::{copy, intern};
+
 pub use abstraction::{AtomSet, Atoms, MAX_ATOMS};
 pub use algebra::{Algebra, Arithmetic, Curve, Line, Range};
 pub use atom::{
@@ -21,13 +67,16 @@ pub use atom::{
 pub use controller::{
     Controller, ControllerId, Ending, OfAction, Parameters, Rollout, always, rollout,
 };
-pub(crate) use description::CHECKSUM;
 pub use dimension::Dimension;
 pub use environment::{Environment, Failure};
-pub use expression::*;
+pub use expression::{Coordinate, Dependence, MAX_DEPTH, Metric, Node, NodeId};
 pub use operator::{GroundOperator, Operator, OperatorId, ground_operators};
 pub use scene::{MAX_SAMPLE_POINTS, PointSet, Sample, Scene};
-pub use schema::*;
+pub use schema::{
+    Attribute, Base, Constant, Domain, MAX_ATTRIBUTES, MAX_CONSTANTS, MAX_DOMAIN_NODES,
+    MAX_OBJECTS, MAX_PARAMETERS, MAX_POINTS, MAX_SHAPES, MAX_TYPES, Object, Parameter, Point,
+    Shape, Type,
+};
 pub use state::{MAX_STATE_VALUES, Naming, ObjectId, ObjectName, ObjectType, State, TypeId};
 pub use task::{MAX_GOAL_ATOMS, Task};
 pub use trial::{Outcome, Verdict, try_operator};

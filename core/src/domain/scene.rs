@@ -11,7 +11,7 @@ use crate::real::Real;
 use heapless::Vec;
 
 /// Most points of a domain that depend on a parameter.
-pub const MAX_SAMPLE_POINTS: usize = 8;
+pub const MAX_SAMPLE_POINTS: usize = 6;
 
 /// A set of points of a domain, with the points they are placed in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,6 +36,23 @@ impl PointSet {
         })
     }
 
+    /// A bit for each parameter that these points or a list of nodes depend on.
+    pub(crate) fn parameters(self, domain: &Domain<'_>, nodes: &[Node]) -> u32 {
+        let own = |nodes: &[Node]| {
+            nodes.iter().fold(0u32, |bits, node| match node {
+                Node::Parameter(p) => bits | 1u32.checked_shl(u32::from(*p)).unwrap_or(0),
+                _ => bits,
+            })
+        };
+        let points = self
+            .iter()
+            .filter_map(|p| domain.points().get(usize::from(p)));
+        let placed = points.flat_map(|p| p.turn.into_iter().chain(p.offset).flatten());
+        placed.fold(own(nodes), |bits, term| {
+            bits | domain.parameters_of(domain.nodes(), term)
+        })
+    }
+
     fn with(mut self, domain: &Domain<'_>, point: u8) -> PointSet {
         let mut next = Some(point);
         while let Some(point) = next {
@@ -46,6 +63,16 @@ impl PointSet {
             };
         }
         self
+    }
+
+    /// The points of the set, ascending.
+    fn iter(self) -> impl Iterator<Item = u8> {
+        let mut left = self.0;
+        core::iter::from_fn(move || {
+            let next = left.trailing_zeros();
+            left &= left.wrapping_sub(1);
+            (next < u32::BITS).then_some(next as u8)
+        })
     }
 
     fn has(self, point: u8) -> bool {
@@ -61,30 +88,44 @@ impl PointSet {
     }
 }
 
-/// Where a point is: its origin may vary with the parameters. The frame is
-/// `None` where its rotation varies and the algebra cannot follow (anything but numbers).
+/// Where a sample point is: its origin may vary with the parameters.
 #[derive(Clone, Copy, Debug)]
 struct Placed<R, A> {
     origin: [A; 3],
-    /// Only its rotation counts.
-    frame: Option<Frame3<R>>,
+    turn: Turn<R>,
+}
+
+/// How a sample point is turned.
+#[derive(Clone, Copy, Debug)]
+enum Turn<R> {
+    /// As the world.
+    World,
+    /// As a point that does not depend on the parameters: the usual case, in
+    /// which no frame is computed or copied.
+    As(u8),
+    /// In its own way; only the rotation of the frame counts.
+    Own(Frame3<R>),
+    /// In a way that varies and that the algebra cannot follow: it can with
+    /// numbers only.
+    Unknown,
 }
 
 /// A domain in one problem instance: every pose that needs no parameters.
 #[derive(Clone, Debug)]
-pub struct Scene<'a, R> {
+pub struct Scene<'a, R, const POINTS: usize = MAX_POINTS> {
     domain: &'a Domain<'a>,
     instance: &'a [f64],
     fixed: PointSet,
-    frames: Vec<Frame3<R>, MAX_POINTS>,
+    frames: Vec<Frame3<R>, POINTS>,
     sampled: PointSet,
 }
 
-impl<'a, R: Real> Scene<'a, R> {
+impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
     /// The domain in `instance`, ready for expressions over `points`.
     ///
     /// # Errors
-    /// Those of [`Domain::check_instance`]; [`Error::CapacityExceeded`].
+    /// Those of [`Domain::check_instance`]; [`Error::CapacityExceeded`] for more
+    /// points than `POINTS`, or more sample points than [`MAX_SAMPLE_POINTS`].
     pub fn new(
         domain: &'a Domain<'a>,
         instance: &'a [f64],
@@ -98,8 +139,10 @@ impl<'a, R: Real> Scene<'a, R> {
             frames: Vec::new(),
             sampled: PointSet(0),
         };
-        let wanted = (0u8..).zip(domain.points()).filter(|(i, _)| points.has(*i));
-        for (index, point) in wanted {
+        for index in points.iter() {
+            let Some(point) = domain.points().get(usize::from(index)) else {
+                continue;
+            };
             let bit = 1u32.checked_shl(u32::from(index)).unwrap_or(0);
             if point.sampled {
                 scene.sampled.0 |= bit;
@@ -112,31 +155,27 @@ impl<'a, R: Real> Scene<'a, R> {
                 .map_err(|_| Error::CapacityExceeded("points of a domain"))?;
             scene.fixed.0 |= bit;
         }
+        if scene.sampled.0.count_ones() as usize > MAX_SAMPLE_POINTS {
+            return Err(Error::CapacityExceeded("points that depend on a parameter"));
+        }
         Ok(scene)
     }
 
     /// The scene at a sample; `theta` has one entry per parameter.
-    ///
-    /// # Errors
-    /// [`Error::CapacityExceeded`] for more than [`MAX_SAMPLE_POINTS`].
-    pub fn sample<'s, A: Algebra<R>>(
-        &'s self,
-        theta: &'s [A],
-    ) -> Result<Sample<'s, 'a, R, A>, Error> {
+    pub fn sample<'s, A: Algebra<R>>(&'s self, theta: &'s [A]) -> Sample<'s, 'a, R, A, POINTS> {
         let mut sample = Sample {
             scene: self,
             theta,
             placed: Vec::new(),
         };
-        let points = (0u8..).zip(self.domain.points());
-        for (_, point) in points.filter(|(i, _)| self.sampled.has(*i)) {
-            let placed = sample.place(point);
-            sample
-                .placed
-                .push(placed)
-                .map_err(|_| Error::CapacityExceeded("points that depend on a parameter"))?;
+        for index in self.sampled.iter() {
+            if let Some(point) = self.domain.points().get(usize::from(index)) {
+                let placed = sample.place(point);
+                // There is room: the scene counted the points.
+                let _ = sample.placed.push(placed);
+            }
         }
-        Ok(sample)
+        sample
     }
 
     fn slot(&self, slot: u8) -> R {
@@ -149,15 +188,14 @@ impl<'a, R: Real> Scene<'a, R> {
         let base = match point.base {
             Base::World => Frame3::identity(),
             Base::Object(object) => self.object_frame(object),
-            Base::Point(p) => self.frame(p),
+            Base::Point(p) => self.frame(p).copied().unwrap_or_else(Frame3::identity),
         };
-        let [yaw, pitch, roll] = point.turn.map(|id| self.offset_term::<R>(id, &[]));
-        let [x, y, z] = point.offset.map(|id| self.offset_term::<R>(id, &[]));
-        let turned = turned(base, point.turn, [yaw, pitch, roll]);
+        let terms = |ids: [Option<NodeId>; 3]| ids.map(|id| self.offset_term::<R>(id, &[]));
+        let turned = turned(base, point.turn, terms(point.turn));
         if point.offset == [None; 3] {
             return turned;
         }
-        turned.compose(&Frame3::new([x, y, z], [R::ZERO; 3]))
+        turned.shifted(terms(point.offset))
     }
 
     fn object_frame(&self, object: u8) -> Frame3<R> {
@@ -166,9 +204,8 @@ impl<'a, R: Real> Scene<'a, R> {
         Frame3::new(pose.position.map(read), pose.angles.map(read))
     }
 
-    fn frame(&self, point: u8) -> Frame3<R> {
-        let frame = self.frames.get(self.fixed.rank(point));
-        frame.copied().unwrap_or_else(Frame3::identity)
+    fn frame(&self, point: u8) -> Option<&Frame3<R>> {
+        self.frames.get(self.fixed.rank(point))
     }
 
     /// The value of an offset or turn; these never speak about points.
@@ -216,13 +253,13 @@ impl<'a, R: Real> Scene<'a, R> {
 
 /// A scene at one sample: the sample points have their places.
 #[derive(Clone, Debug)]
-pub struct Sample<'s, 'a, R, A> {
-    scene: &'s Scene<'a, R>,
+pub struct Sample<'s, 'a, R, A, const POINTS: usize = MAX_POINTS> {
+    scene: &'s Scene<'a, R, POINTS>,
     theta: &'s [A],
     placed: Vec<Placed<R, A>, MAX_SAMPLE_POINTS>,
 }
 
-impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
+impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
     /// The value of an expression.
     pub fn measure(&self, nodes: &[Node], id: NodeId) -> A::Measure {
         match node_at(nodes, id) {
@@ -253,13 +290,12 @@ impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
     }
 
     fn coordinate(&self, coordinate: Coordinate, point: u8) -> A::Measure {
-        let placed = self.placed(point);
-        let [x, y, z] = placed.origin;
+        let [x, y, z] = self.origin(point);
         match coordinate {
             Coordinate::X => x.measure(),
             Coordinate::Y => y.measure(),
             Coordinate::Z => z.measure(),
-            Coordinate::Theta => match heading(&placed) {
+            Coordinate::Theta => match self.heading(point) {
                 Some([x, y, _]) => A::Measure::constant(y.atan2(x)),
                 None => A::Measure::unknown(),
             },
@@ -267,7 +303,7 @@ impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
     }
 
     fn distance(&self, metric: Metric, a: u8, b: u8) -> A::Measure {
-        let ([ax, ay, az], [bx, by, bz]) = (self.placed(a).origin, self.placed(b).origin);
+        let ([ax, ay, az], [bx, by, bz]) = (self.origin(a), self.origin(b));
         let zero = A::constant(R::ZERO);
         match metric {
             Metric::X => A::norm([ax.minus(bx), zero, zero]),
@@ -280,7 +316,7 @@ impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
     /// Well conditioned for every angle: the arc tangent of the lengths of the
     /// cross and the dot product of the two x axes.
     fn angle(&self, a: u8, b: u8) -> A::Measure {
-        let headings = (heading(&self.placed(a)), heading(&self.placed(b)));
+        let headings = (self.heading(a), self.heading(b));
         let (Some([ax, ay, az]), Some([bx, by, bz])) = headings else {
             return A::Measure::unknown();
         };
@@ -289,58 +325,83 @@ impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
         A::Measure::constant(R::norm(cross).atan2(dot))
     }
 
-    fn placed(&self, point: u8) -> Placed<R, A> {
-        let scene = self.scene;
-        if scene.sampled.has(point) {
-            let placed = self.placed.get(scene.sampled.rank(point)).copied();
-            return placed.unwrap_or(Placed {
-                origin: [A::unknown(); 3],
-                frame: None,
-            });
+    /// Where a sample point is; `None` for a point that is none.
+    fn placed(&self, point: u8) -> Option<&Placed<R, A>> {
+        let sampled = self.scene.sampled;
+        sampled
+            .has(point)
+            .then(|| self.placed.get(sampled.rank(point)))?
+    }
+
+    fn origin(&self, point: u8) -> [A; 3] {
+        match self.placed(point) {
+            Some(placed) => placed.origin,
+            None => {
+                let frame = self.scene.frame(point);
+                frame.map_or([A::unknown(); 3], |f| f.origin().map(A::constant))
+            }
         }
-        fixed(scene.frame(point))
+    }
+
+    /// The direction of a point's x axis, if it is known.
+    fn heading(&self, point: u8) -> Option<[R; 3]> {
+        let world = Frame3::identity();
+        let frame = match self.placed(point) {
+            Some(placed) => self.frame_of(&placed.turn, &world),
+            None => self.scene.frame(point),
+        };
+        let [[x, ..], [y, ..], [z, ..]] = frame?.rotation();
+        Some([x, y, z])
+    }
+
+    /// The frame whose rotation a turn names.
+    fn frame_of<'f>(&'f self, turn: &'f Turn<R>, world: &'f Frame3<R>) -> Option<&'f Frame3<R>> {
+        match turn {
+            Turn::World => Some(world),
+            Turn::As(point) => self.scene.frame(*point),
+            Turn::Own(frame) => Some(frame),
+            Turn::Unknown => None,
+        }
     }
 
     /// Turns and moves a sample point in the frame it is placed in.
     fn place(&self, point: &Point<'_>) -> Placed<R, A> {
-        let base = match point.base {
-            Base::World => fixed(Frame3::identity()),
-            Base::Object(object) => fixed(self.scene.object_frame(object)),
-            Base::Point(p) => self.placed(p),
+        let world = Frame3::identity();
+        let (origin, base_turn) = match point.base {
+            Base::World => (world.origin().map(A::constant), Turn::World),
+            Base::Object(object) => {
+                let frame = self.scene.object_frame(object);
+                (frame.origin().map(A::constant), Turn::Own(frame))
+            }
+            Base::Point(p) => {
+                let turn = self.placed(p).map_or(Turn::As(p), |placed| placed.turn);
+                (self.origin(p), turn)
+            }
         };
         let terms = |ids: [Option<NodeId>; 3]| ids.map(|id| self.scene.offset_term(id, self.theta));
-        let angles = terms(point.turn).map(A::known);
-        let frame = match (base.frame, angles) {
-            (Some(frame), [Some(yaw), Some(pitch), Some(roll)]) => {
-                Some(turned(frame, point.turn, [yaw, pitch, roll]))
+        let turn = if point.turn == [None; 3] {
+            base_turn
+        } else {
+            let angles = terms(point.turn).map(A::known);
+            match (self.frame_of(&base_turn, &world), angles) {
+                (Some(frame), [Some(yaw), Some(pitch), Some(roll)]) => {
+                    Turn::Own(frame.compose(&Frame3::new([R::ZERO; 3], [yaw, pitch, roll])))
+                }
+                _ => Turn::Unknown,
             }
-            _ => None,
         };
-        let origin = match frame {
-            Some(frame) => moved(base.origin, &frame, terms(point.offset), point.offset),
-            None if point.offset == [None; 3] => base.origin,
+        let origin = match self.frame_of(&turn, &world) {
+            Some(frame) => moved(origin, frame, terms(point.offset), point.offset),
+            None if point.offset == [None; 3] => origin,
             None => [A::unknown(); 3],
         };
-        Placed { origin, frame }
+        Placed { origin, turn }
     }
 }
 
 fn parameter<R: Real, A: Algebra<R>>(theta: &[A], index: u8) -> A {
     let value = theta.get(usize::from(index)).copied();
     value.unwrap_or_else(A::unknown)
-}
-
-fn fixed<R: Real, A: Algebra<R>>(frame: Frame3<R>) -> Placed<R, A> {
-    Placed {
-        origin: frame.origin().map(A::constant),
-        frame: Some(frame),
-    }
-}
-
-/// The direction of a point's x axis, if it is known.
-fn heading<R: Real, A>(placed: &Placed<R, A>) -> Option<[R; 3]> {
-    let [[x, ..], [y, ..], [z, ..]] = placed.frame?.rotation();
-    Some([x, y, z])
 }
 
 /// The frame turned about its own origin, at no cost where nothing turns.

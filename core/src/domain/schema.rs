@@ -52,6 +52,7 @@ pub struct Object<'t> {
     pub type_index: u8,
     /// Index of its first attribute in an instance.
     pub first_slot: u8,
+    pub(super) pose: PoseSlots,
 }
 
 /// A static number, the same in every instance.
@@ -138,11 +139,34 @@ pub enum Shape {
     },
 }
 
-/// The slots of an object's attributes that place it in the world.
+/// The slots of an object's attributes that place it in the world: `x y z` and
+/// `theta` (or `yaw`), `pitch`, `roll`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct PoseSlots {
-    pub(crate) position: [Option<u8>; 3],
-    pub(crate) angles: [Option<u8>; 3],
+pub(super) struct PoseSlots {
+    pub(super) position: [Option<u8>; 3],
+    pub(super) angles: [Option<u8>; 3],
+}
+
+impl PoseSlots {
+    /// Finds them by name among attributes that start at `first_slot`.
+    pub(super) fn find(attributes: &[Attribute<'_>], first_slot: u8) -> PoseSlots {
+        let mut pose = PoseSlots::default();
+        for (attribute, slot) in attributes.iter().zip(first_slot..) {
+            let [x, y, z] = &mut pose.position;
+            let [yaw, pitch, roll] = &mut pose.angles;
+            let place = match attribute.name {
+                "x" => x,
+                "y" => y,
+                "z" => z,
+                "theta" | "yaw" => yaw,
+                "pitch" => pitch,
+                "roll" => roll,
+                _ => continue,
+            };
+            *place = Some(slot);
+        }
+        pose
+    }
 }
 
 /// Everything the learner may speak about. Made from text by
@@ -302,29 +326,10 @@ impl<'t> Domain<'t> {
         })
     }
 
-    /// Which attributes of an object place it: `x y z` and `theta` (or `yaw`),
-    /// `pitch`, `roll`.
-    pub(crate) fn pose_slots(&self, object: u8) -> PoseSlots {
-        let mut pose = PoseSlots::default();
-        let Some(found) = self.objects.get(usize::from(object)) else {
-            return pose;
-        };
-        let attributes = self.attributes_of(found.type_index);
-        for (attribute, slot) in attributes.iter().zip(found.first_slot..) {
-            let [x, y, z] = &mut pose.position;
-            let [yaw, pitch, roll] = &mut pose.angles;
-            let place = match attribute.name {
-                "x" => x,
-                "y" => y,
-                "z" => z,
-                "theta" | "yaw" => yaw,
-                "pitch" => pitch,
-                "roll" => roll,
-                _ => continue,
-            };
-            *place = Some(slot);
-        }
-        pose
+    /// Which attributes of an object place it.
+    pub(super) fn pose_slots(&self, object: u8) -> PoseSlots {
+        let object = self.objects.get(usize::from(object));
+        object.map_or_else(PoseSlots::default, |o| o.pose)
     }
 }
 

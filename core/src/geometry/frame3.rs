@@ -26,6 +26,11 @@ impl<R: Real> Frame3<R> {
     /// The frame at `origin`, turned by `[yaw, pitch, roll]` radians.
     pub fn new(origin: Vector3<R>, [yaw, pitch, roll]: [R; 3]) -> Self {
         let (sa, ca) = yaw.sin_cos();
+        if pitch == R::ZERO && roll == R::ZERO {
+            let (o, i) = (R::ZERO, R::ONE);
+            let rotation = [[ca, -sa, o], [sa, ca, o], [o, o, i]];
+            return Frame3 { origin, rotation };
+        }
         let (sb, cb) = pitch.sin_cos();
         let (sc, cc) = roll.sin_cos();
         let rotation = [
@@ -86,6 +91,14 @@ impl<R: Real> Frame3<R> {
     pub fn to_local(&self, point: Vector3<R>) -> Vector3<R> {
         let offset = add(point, self.origin.map(|x| -x));
         transpose(self.rotation).map(|row| dot(row, offset))
+    }
+
+    /// This frame with its origin at `point`, a point of its own.
+    pub fn shifted(&self, point: Vector3<R>) -> Self {
+        Frame3 {
+            origin: self.apply(point),
+            rotation: self.rotation,
+        }
     }
 
     /// The frame that lies in this one as `inner` lies in its parent; the product

@@ -119,11 +119,8 @@ impl<'m, R: Real> Features<'m, R> {
     }
 
     /// Computes every feature at a sample, each once.
-    ///
-    /// # Errors
-    /// Those of [`Scene::sample`].
-    pub fn evaluate(&mut self, scene: &Scene<'_, R>, theta: &[R]) -> Result<(), Error> {
-        let sample: Sample<'_, '_, R, R> = scene.sample(theta)?;
+    pub fn evaluate(&mut self, scene: &Scene<'_, R>, theta: &[R]) {
+        let sample: Sample<'_, '_, R, R> = scene.sample(theta);
         for (index, node) in self.nodes.as_slice().iter().enumerate() {
             let values = &*self.values;
             let operand = |id: NodeId| values.get(usize::from(id.0)).copied().unwrap_or(R::ZERO);
@@ -132,7 +129,6 @@ impl<'m, R: Real> Features<'m, R> {
                 *slot = value;
             }
         }
-        Ok(())
     }
 
     fn enumerate_lefts(&mut self, domain: &Domain<'_>) {

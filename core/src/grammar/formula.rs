@@ -224,16 +224,40 @@ impl Formula {
         self.truth(|c| constraint(c).into()).may_hold
     }
 
+    /// If it joins all its constraints by `and` only: a bit for each.
+    pub fn conjunction(&self) -> Option<u32> {
+        let joins = |step: &Step| matches!(step, Step::Constraint(_) | Step::And);
+        let bits = u32::try_from((1u64 << self.constraints.len()) - 1).ok();
+        bits.filter(|_| self.steps.iter().all(joins))
+    }
+
+    /// What is known of it, given a bit for each constraint that may hold and one
+    /// for each that may fail.
+    pub fn truth_of_masks(&self, hold: u32, fail: u32) -> Truth {
+        let bit = |mask: u32, index: u8| mask.checked_shr(u32::from(index)).unwrap_or(0) & 1 == 1;
+        self.evaluate(|index| Truth {
+            may_hold: bit(hold, index),
+            may_fail: bit(fail, index),
+        })
+    }
+
     /// What is known of it, given what is known of each constraint.
     pub fn truth(&self, mut constraint: impl FnMut(&Constraint) -> Truth) -> Truth {
+        self.evaluate(|index| {
+            let known = self.constraints.get(usize::from(index));
+            known.map_or(Truth::from(false), &mut constraint)
+        })
+    }
+
+    #[inline]
+    fn evaluate(&self, mut constraint: impl FnMut(u8) -> Truth) -> Truth {
         // One bit per stack entry: a formula of 96 steps is at most 48 deep.
         let (mut hold, mut fail) = (0u64, 0u64);
         let bit = |flag: bool| u64::from(flag);
         for step in &self.steps {
             match step {
                 Step::Constraint(index) => {
-                    let known = self.constraints.get(usize::from(*index));
-                    let truth = known.map_or(Truth::from(false), &mut constraint);
+                    let truth = constraint(*index);
                     hold = hold << 1 | bit(truth.may_hold);
                     fail = fail << 1 | bit(truth.may_fail);
                 }

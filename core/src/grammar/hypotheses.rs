@@ -58,13 +58,34 @@ pub(crate) const fn bit(comparison: Comparison) -> u8 {
     }
 }
 
-/// Which comparisons hold between two numbers; none if one is NaN.
-#[inline]
+/// Which comparisons hold between two numbers; none if one is NaN. In 64 bits, as
+/// wide as the numbers, so that the compiler compares several at once.
+#[inline(always)]
 fn holding<R: Real>(left: R, right: R) -> u8 {
-    let below = u8::from(left <= right);
-    let above = u8::from(left >= right);
+    let below = -i64::from(left <= right);
+    let above = -i64::from(left >= right);
     // 0011 where smaller, 1100 where larger, 0110 where equal.
-    below * 0b0011 + above * 0b1100 - (below & above) * 0b1001
+    ((below & 0b0011) + (above & 0b1100) - (below & above & 0b1001)) as u8
+}
+
+/// Pairs that are validated at once.
+const LANES: usize = 8;
+
+/// Removes the hypotheses of a left side that do not hold, or with `flip` those
+/// that do.
+#[inline]
+fn prune<R: Real>(left: R, rights: &[R], pairs: &mut [u8], flip: u8) {
+    let (blocks, rest) = rights.as_chunks::<LANES>();
+    let (pair_blocks, pair_rest) = pairs.as_chunks_mut::<LANES>();
+    for (rights, pairs) in blocks.iter().zip(pair_blocks) {
+        let holding = rights.map(|right| holding(left, right));
+        for (pair, holding) in pairs.iter_mut().zip(holding) {
+            *pair &= holding ^ flip;
+        }
+    }
+    for (right, pair) in rest.iter().zip(pair_rest) {
+        *pair &= holding(left, *right) ^ flip;
+    }
 }
 
 impl<'m> Hypotheses<'m> {
@@ -116,9 +137,7 @@ impl<'m> Hypotheses<'m> {
             let Some(left) = values.get(run.left) else {
                 return;
             };
-            for (right, pair) in rights.iter().zip(pairs) {
-                *pair &= holding(*left, *right) ^ flip;
-            }
+            prune(*left, rights, pairs, flip);
         });
     }
 

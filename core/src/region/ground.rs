@@ -1,10 +1,10 @@
 //! A region in one problem instance.
 
-use super::interval::{IntervalSet, MAX_BREAKS};
+use super::interval::{Builder, IntervalSet, MAX_BREAKS};
 use super::{Region, Theta};
 use crate::domain::{Arithmetic, Curve, Domain, Line, MAX_PARAMETERS, Parameter, Range, Scene};
 use crate::error::Error;
-use crate::grammar::{Comparison, Constraint, MAX_CONSTRAINTS, Truth};
+use crate::grammar::{Comparison, MAX_CONSTRAINTS, Truth};
 use crate::real::Real;
 use heapless::Vec;
 
@@ -13,8 +13,12 @@ use heapless::Vec;
 pub struct Grounded<'a, R> {
     region: &'a Region,
     domain: &'a Domain<'a>,
-    scene: Scene<'a, R>,
+    scene: Scene<'a, R, MAX_REGION_POINTS>,
 }
+
+/// Most points that the constraints of a region refer to, with the points these
+/// are placed in.
+pub const MAX_REGION_POINTS: usize = 12;
 
 /// A vector in the space of parameters.
 pub(super) type Vector<R> = [R; MAX_PARAMETERS];
@@ -37,6 +41,11 @@ impl<'a, R: Real> Grounded<'a, R> {
         self.domain.parameters()
     }
 
+    /// A bit for each parameter that the region depends on.
+    pub(super) fn relevant(&self) -> u32 {
+        self.region.relevant
+    }
+
     /// Whether the region admits these parameters; one number each.
     ///
     /// # Errors
@@ -56,7 +65,7 @@ impl<'a, R: Real> Grounded<'a, R> {
 
     /// As [`Grounded::contains`], for checked parameters inside their ranges.
     pub(super) fn admits(&self, theta: &Vector<R>) -> Result<bool, Error> {
-        let sample = self.scene.sample::<R>(theta)?;
+        let sample = self.scene.sample::<R>(theta);
         let nodes = self.region.formula.nodes();
         Ok(self.region.formula.holds(|c| {
             let left = sample.measure(nodes, c.left);
@@ -81,17 +90,24 @@ impl<'a, R: Real> Grounded<'a, R> {
         let [first, ..] = &mut direction;
         *first = R::ONE;
         let ends = [parameter.low, parameter.high].map(R::from_f64);
-        self.slice(&[R::ZERO; MAX_PARAMETERS], &direction, ends)
+        let mut set = IntervalSet::default();
+        self.slice(&[R::ZERO; MAX_PARAMETERS], &direction, ends, &mut set)?;
+        Ok(set)
     }
 
-    /// The admitted positions `t` between two ends on the line
+    /// Sets `set` to the admitted positions `t` between two ends on the line
     /// `origin + t * direction`.
+    ///
+    /// The line is cut at the roots of the constraints; between two neighbouring
+    /// ones nothing changes. At a root its own constraint holds if it admits
+    /// equality.
     pub(super) fn slice(
         &self,
         origin: &Vector<R>,
         direction: &Vector<R>,
         [low, high]: [R; 2],
-    ) -> Result<IntervalSet<R>, Error> {
+        set: &mut IntervalSet<R>,
+    ) -> Result<(), Error> {
         let mut theta = [Line::constant(R::ZERO); MAX_PARAMETERS];
         for ((line, at), slope) in theta.iter_mut().zip(origin).zip(direction) {
             *line = Line {
@@ -99,38 +115,29 @@ impl<'a, R: Real> Grounded<'a, R> {
                 slope: *slope,
             };
         }
-        let sample = self.scene.sample::<Line<R>>(&theta)?;
+        let sample = self.scene.sample::<Line<R>>(&theta);
         let formula = &self.region.formula;
-        let mut curves: Vec<Curve<R>, MAX_CONSTRAINTS> = Vec::new();
-        let mut breaks: Vec<R, MAX_BREAKS> = Vec::new();
-        insert(&mut breaks, low)?;
-        insert(&mut breaks, high)?;
-        for constraint in formula.constraints() {
+        let mut cut = Cut::new(low, high)?;
+        for (index, constraint) in formula.constraints().iter().enumerate() {
             let left = sample.measure(formula.nodes(), constraint.left);
             let curve = left.minus(sample.measure(formula.nodes(), constraint.right));
-            for root in roots(&curve).into_iter().flatten() {
-                if low < root && root < high {
-                    insert(&mut breaks, root)?;
-                }
-            }
-            curves
-                .push(curve)
-                .map_err(|_| Error::CapacityExceeded("constraints of a region"))?;
+            cut.add(index, &curve, constraint.comparison)?;
         }
-        let truth = |t: R, near_zero: bool| {
-            let mut curves = curves.iter();
-            let known = |c: &Constraint| {
-                let curve = curves.next();
-                curve.map_or(Truth::from(false), |f| sign(f, c.comparison, t, near_zero))
-            };
-            formula.truth(known).may_hold
+        let unknown = cut.first.hold & cut.first.fail;
+        let mut builder = Builder::new(set, unknown == 0);
+        // Most regions are conjunctions: all bits set is all there is to know.
+        let all = formula.conjunction();
+        let truth = |masks: Masks| match all {
+            Some(all) => masks.hold == all,
+            None => formula.truth_of_masks(masks.hold, masks.fail).may_hold,
         };
-        let half = R::from_f64(0.5);
-        IntervalSet::from_breaks(
-            &breaks,
-            |at| truth(at, true),
-            |a, b| truth(a + (b - a) * half, false),
-        )
+        let mut masks = cut.first;
+        for own in &cut.breaks {
+            let here = truth(masks.with(own.owners, cut.admit_equal));
+            masks = masks.with(own.owners, own.then_hold);
+            builder.step(own.at, here, own.at < high && truth(masks))?;
+        }
+        Ok(())
     }
 
     /// Whether it is proven that no parameters in a box are admitted.
@@ -142,7 +149,7 @@ impl<'a, R: Real> Grounded<'a, R> {
                 high: *high,
             };
         }
-        let sample = self.scene.sample::<Range<R>>(&theta)?;
+        let sample = self.scene.sample::<Range<R>>(&theta);
         let nodes = self.region.formula.nodes();
         let truth = self.region.formula.truth(|c| {
             let left = sample.measure(nodes, c.left);
@@ -168,63 +175,149 @@ pub(super) fn to_theta<R: Real>(theta: &Vector<R>) -> Theta {
     theta.map(R::to_f64)
 }
 
-/// Sorted insertion; equal breaks are kept once.
-fn insert<R: Real>(breaks: &mut Vec<R, MAX_BREAKS>, at: R) -> Result<(), Error> {
-    let mut carried = at;
-    for slot in breaks.iter_mut() {
-        if carried == *slot {
-            return Ok(());
-        }
-        if carried < *slot {
-            core::mem::swap(slot, &mut carried);
-        }
-    }
-    breaks
-        .push(carried)
-        .map_err(|_| Error::CapacityExceeded("intervals of a region"))
+/// A root of constraints, or an end of the line.
+#[derive(Clone, Copy)]
+struct Break<R> {
+    at: R,
+    /// A bit for each constraint that has a root here.
+    owners: u32,
+    /// Those of them that hold behind it.
+    then_hold: u32,
 }
 
-/// Whether `curve(t) comparison 0`. At a break a value that is zero but for
-/// rounding counts as zero.
-fn sign<R: Real>(curve: &Curve<R>, comparison: Comparison, t: R, near_zero: bool) -> Truth {
-    if !curve.is_known() {
-        return Truth {
-            may_hold: true,
-            may_fail: true,
-        };
-    }
-    let mut value = curve.value(t);
-    if near_zero {
-        let size = curve.line.at.abs() + (curve.line.slope * t).abs();
-        let tolerance = R::EPSILON * R::from_f64(16.0) * (R::ONE + size);
-        if value.abs() <= tolerance {
-            value = R::ZERO;
+/// Which constraints may hold and which may fail, a bit each.
+#[derive(Clone, Copy, Default)]
+struct Masks {
+    hold: u32,
+    fail: u32,
+}
+
+impl Masks {
+    /// Where `which` hold or fail as `holding` says.
+    fn with(self, which: u32, holding: u32) -> Masks {
+        Masks {
+            hold: (self.hold & !which) | (which & holding),
+            fail: (self.fail & !which) | (which & !holding),
         }
     }
-    comparison.holds(&value, &R::ZERO).into()
+}
+
+const _: () = assert!(MAX_CONSTRAINTS <= 32, "masks have a bit per constraint");
+
+/// A line cut at the roots of constraints.
+struct Cut<R> {
+    /// What holds before the first root.
+    first: Masks,
+    /// Constraints that hold where their two sides are equal.
+    admit_equal: u32,
+    /// The ends of the line and the roots between them, ascending.
+    breaks: Vec<Break<R>, MAX_BREAKS>,
+}
+
+impl<R: Real> Cut<R> {
+    fn new(low: R, high: R) -> Result<Self, Error> {
+        let mut cut = Cut {
+            first: Masks::default(),
+            admit_equal: 0,
+            breaks: Vec::new(),
+        };
+        for at in [low, high] {
+            cut.insert(Break {
+                at,
+                owners: 0,
+                then_hold: 0,
+            })?;
+        }
+        Ok(cut)
+    }
+
+    /// Cuts at the roots of a constraint, and evaluates it once between them.
+    fn add(&mut self, index: usize, curve: &Curve<R>, comparison: Comparison) -> Result<(), Error> {
+        let bit = 1u32.checked_shl(index as u32).unwrap_or(0);
+        if !curve.is_known() {
+            self.first.hold |= bit;
+            self.first.fail |= bit;
+            return Ok(());
+        }
+        if comparison.admits_equal() {
+            self.admit_equal |= bit;
+        }
+        let (Some(low), Some(high)) = (
+            self.breaks.first().map(|b| b.at),
+            self.breaks.last().map(|b| b.at),
+        ) else {
+            return Ok(());
+        };
+        let half = R::from_f64(0.5);
+        let holds_between = |a: R, b: R| {
+            let value = curve.value(a + (b - a) * half);
+            if comparison.holds(&value, &R::ZERO) {
+                bit
+            } else {
+                0
+            }
+        };
+        let inside = |t: &R| low <= *t && *t <= high && curve.is_near_zero(*t);
+        let [a, b] = roots(curve).map(|root| root.filter(inside));
+        let ordered = match (a, b) {
+            (Some(a), Some(b)) if b < a => [Some(b), Some(a)],
+            (None, b) => [b, None],
+            both => both.into(),
+        };
+        let [first, second] = ordered;
+        self.first = self
+            .first
+            .with(bit, holds_between(low, first.unwrap_or(high)));
+        let ends = [second.unwrap_or(high), high];
+        for (root, end) in ordered.into_iter().zip(ends) {
+            if let Some(at) = root {
+                self.insert(Break {
+                    at,
+                    owners: bit,
+                    then_hold: holds_between(at, end),
+                })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Sorted insertion; breaks at one place become one.
+    fn insert(&mut self, new: Break<R>) -> Result<(), Error> {
+        let mut carried = new;
+        for slot in &mut self.breaks {
+            if carried.at == slot.at {
+                slot.owners |= carried.owners;
+                slot.then_hold |= carried.then_hold;
+                return Ok(());
+            }
+            if carried.at < slot.at {
+                core::mem::swap(slot, &mut carried);
+            }
+        }
+        self.breaks
+            .push(carried)
+            .map_err(|_| Error::CapacityExceeded("intervals of a region"))
+    }
 }
 
 /// Whether `gap comparison 0` over a range, leaving room for rounding.
 fn range_truth<R: Real>(comparison: Comparison, gap: Range<R>) -> Truth {
     let slack = R::EPSILON * R::from_f64(64.0);
-    let low = gap.low - slack * (R::ONE + gap.low.abs());
-    let high = gap.high + slack * (R::ONE + gap.high.abs());
-    if comparison.is_upper() {
-        Truth {
-            may_hold: !(low > R::ZERO),
-            may_fail: !(high < R::ZERO),
-        }
+    let above = gap.low - slack * (R::ONE + gap.low.abs()) > R::ZERO;
+    let below = gap.high + slack * (R::ONE + gap.high.abs()) < R::ZERO;
+    let (fails, holds) = if comparison.is_upper() {
+        (above, below)
     } else {
-        Truth {
-            may_hold: !(high < R::ZERO),
-            may_fail: !(low > R::ZERO),
-        }
+        (below, above)
+    };
+    Truth {
+        may_hold: !fails,
+        may_fail: !holds,
     }
 }
 
 /// Where a curve may be zero: `line(t) = -factor * |vector(t)|`. A root of the
-/// squared equation that is none of the curve does no harm, it only splits an
-/// interval that is joined again.
+/// squared equation need not be one of the curve.
 fn roots<R: Real>(curve: &Curve<R>) -> [Option<R>; 2] {
     if !curve.is_known() {
         return [None, None];

@@ -40,12 +40,14 @@ impl<R: Real> Interval<R> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntervalSet<R> {
     intervals: Vec<Interval<R>, MAX_BREAKS>,
+    exact: bool,
 }
 
 impl<R: Real> Default for IntervalSet<R> {
     fn default() -> Self {
         IntervalSet {
             intervals: Vec::new(),
+            exact: true,
         }
     }
 }
@@ -54,6 +56,12 @@ impl<R: Real> IntervalSet<R> {
     /// The intervals, from low to high.
     pub fn intervals(&self) -> &[Interval<R>] {
         &self.intervals
+    }
+
+    /// Whether it is the exact set, and not too large because a constraint has no
+    /// closed form.
+    pub fn is_exact(&self) -> bool {
+        self.exact
     }
 
     /// Whether no number belongs to it.
@@ -105,31 +113,10 @@ impl<R: Real> IntervalSet<R> {
         })
     }
 
-    /// Appends what is true between breaks that ascend: `point` and `gap` tell for
-    /// each break whether it belongs to the set and whether what follows it does.
-    pub(super) fn from_breaks(
-        breaks: &[R],
-        point: impl Fn(R) -> bool,
-        gap: impl Fn(R, R) -> bool,
-    ) -> Result<Self, Error> {
-        let mut set = Self::default();
-        let mut open: Option<(R, bool)> = None;
-        let nexts = breaks.iter().skip(1).map(Some).chain([None]);
-        for (at, next) in breaks.iter().zip(nexts) {
-            let here = point(*at);
-            let after = next.is_some_and(|next| gap(*at, *next));
-            match (open, here, after) {
-                (None, true, true) => open = Some((*at, true)),
-                (None, false, true) => open = Some((*at, false)),
-                (None, true, false) => set.push(*at, *at, true, true)?,
-                (None, false, false) | (Some(_), true, true) => {}
-                (Some((low, closed)), _, _) => {
-                    set.push(low, *at, closed, here)?;
-                    open = after.then_some((*at, here));
-                }
-            }
-        }
-        Ok(set)
+    /// Forgets all intervals, to be filled again.
+    fn reset(&mut self, exact: bool) {
+        self.intervals.clear();
+        self.exact = exact;
     }
 
     fn push(&mut self, low: R, high: R, low_closed: bool, high_closed: bool) -> Result<(), Error> {
@@ -142,5 +129,34 @@ impl<R: Real> IntervalSet<R> {
         self.intervals
             .push(interval)
             .map_err(|_| Error::CapacityExceeded("intervals of a region"))
+    }
+}
+
+/// Builds a set from breaks that ascend, between which membership is constant.
+pub(super) struct Builder<'s, R> {
+    set: &'s mut IntervalSet<R>,
+    /// Where the interval that is not yet finished starts, and whether that end
+    /// belongs to it.
+    open: Option<(R, bool)>,
+}
+
+impl<'s, R: Real> Builder<'s, R> {
+    pub(super) fn new(set: &'s mut IntervalSet<R>, exact: bool) -> Self {
+        set.reset(exact);
+        Builder { set, open: None }
+    }
+
+    /// The next break: whether it belongs to the set, and what follows it.
+    pub(super) fn step(&mut self, at: R, here: bool, after: bool) -> Result<(), Error> {
+        match (self.open, here, after) {
+            (None, _, true) => self.open = Some((at, here)),
+            (None, true, false) => self.set.push(at, at, true, true)?,
+            (None, false, false) | (Some(_), true, true) => {}
+            (Some((low, closed)), _, _) => {
+                self.set.push(low, at, closed, here)?;
+                self.open = after.then_some((at, here));
+            }
+        }
+        Ok(())
     }
 }

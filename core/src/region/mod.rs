@@ -7,13 +7,14 @@
 //! root of a quadratic one along a line of parameters; with several, any line
 //! through it is. Sampling is uniform, see [`Grounded::sample`].
 
+mod boxes;
 mod bytes;
 mod ground;
 mod interval;
 mod sample;
 
 pub use bytes::SavedRegion;
-pub use ground::Grounded;
+pub use ground::{Grounded, MAX_REGION_POINTS};
 pub use interval::{Interval, IntervalSet};
 
 use crate::domain::{Domain, MAX_PARAMETERS, PointSet};
@@ -51,14 +52,18 @@ pub type Theta = [f64; MAX_PARAMETERS];
 pub struct Region {
     formula: Formula,
     points: PointSet,
+    /// A bit for each parameter that the formula depends on.
+    relevant: u32,
     fingerprint: u32,
 }
 
 impl Region {
     /// The region of the samples for which `formula` holds.
     pub fn new(domain: &Domain<'_>, formula: Formula) -> Region {
+        let points = PointSet::of(domain, formula.nodes());
         Region {
-            points: PointSet::of(domain, formula.nodes()),
+            points,
+            relevant: points.parameters(domain, formula.nodes()),
             fingerprint: domain.fingerprint(),
             formula,
         }

@@ -1,6 +1,7 @@
 //! Drawing parameters from a grounded region.
 
 use super::Theta;
+use super::boxes::BoxSearch;
 use super::ground::{Grounded, Vector, to_theta};
 use super::interval::IntervalSet;
 use crate::domain::MAX_PARAMETERS;
@@ -11,12 +12,12 @@ use rand_core::Rng;
 
 /// Draws from the whole box, and from one line, before another way is tried.
 const REJECTIONS: usize = 32;
-/// Lines through the box on which a first admitted point is looked for.
-const LINES: usize = 128;
+/// Small boxes in which a first admitted point is looked for.
+const BOXES: usize = 64;
+/// Lines that are laid through each of them.
+const LINES: usize = 8;
 /// Steps of hit-and-run per parameter, from a first admitted point.
 const STEPS_PER_PARAMETER: usize = 12;
-/// How often the box may be halved to prove it empty.
-const HALVINGS: u32 = 10;
 
 impl<R: Real> Grounded<'_, R> {
     /// Draws parameters that the region admits.
@@ -50,11 +51,7 @@ impl<R: Real> Grounded<'_, R> {
             }
             _ => self.sample_several(rng)?,
         };
-        match found {
-            Some(theta) => Ok(to_theta(&theta)),
-            None if self.is_proven_empty()? => Err(Error::EmptyRegion),
-            None => Err(Error::NoSample),
-        }
+        found.map(|theta| to_theta(&theta)).ok_or(Error::NoSample)
     }
 
     /// Whether it is proven that no parameters are admitted. With one parameter
@@ -67,36 +64,13 @@ impl<R: Real> Grounded<'_, R> {
         if self.parameters().len() == 1 {
             return Ok(self.intervals()?.is_empty());
         }
-        let (low, high) = self.bounds();
-        self.prove_empty(low, high, HALVINGS)
+        let mut search = BoxSearch::new(0);
+        Ok(search.next(self)?.is_none() && search.is_complete())
     }
 
-    fn prove_empty(&self, low: Vector<R>, high: Vector<R>, halvings: u32) -> Result<bool, Error> {
-        if self.excludes(&low, &high)? {
-            return Ok(true);
-        }
-        // Halve each parameter in turn.
-        let count = self.parameters().len();
-        let Some(turn) = (halvings as usize).checked_rem(count) else {
-            return Ok(false);
-        };
-        if halvings == 0 {
-            return Ok(false);
-        }
-        let (mut left_high, mut right_low) = (high, low);
-        let middle = left_high.iter_mut().zip(&mut right_low).nth(turn);
-        if let Some((high, low)) = middle {
-            let half = *low + (*high - *low) * R::from_f64(0.5);
-            *high = half;
-            *low = half;
-        }
-        Ok(self.prove_empty(low, left_high, halvings - 1)?
-            && self.prove_empty(right_low, high, halvings - 1)?)
-    }
-
-    /// A uniform position of a set along a line that is truly admitted: at the
+    /// A uniform position of a set along a line that is truly admitted: near the
     /// ends rounding may decide otherwise, and a constraint without closed form
-    /// may object.
+    /// may object anywhere.
     fn draw_from(
         &self,
         set: &IntervalSet<R>,
@@ -123,29 +97,46 @@ impl<R: Real> Grounded<'_, R> {
     }
 
     fn sample_several(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Option<Vector<R>>, Error> {
+        let (low, high) = self.bounds();
         for _ in 0..REJECTIONS {
-            let theta = self.anywhere(rng);
+            let theta = self.inside(&low, &high, rng);
             if self.admits(&theta)? {
                 return Ok(Some(theta));
             }
         }
-        for _ in 0..LINES {
-            let through = self.anywhere(rng);
-            if let Some(mut theta) = self.step(&through, rng)? {
-                for _ in 0..STEPS_PER_PARAMETER * self.parameters().len() {
-                    theta = self.step(&theta, rng)?.unwrap_or(theta);
+        // Too small to be hit: find small boxes that may hold some of it, in
+        // random order, and lay lines through them.
+        let mut search = BoxSearch::new(rng.next_u32());
+        for _ in 0..BOXES {
+            let Some((low, high)) = search.next(self)? else {
+                break;
+            };
+            for _ in 0..LINES {
+                let through = self.inside(&low, &high, rng);
+                if let Some(mut theta) = self.step(&through, rng)? {
+                    for _ in 0..STEPS_PER_PARAMETER * self.parameters().len() {
+                        theta = self.step(&theta, rng)?.unwrap_or(theta);
+                    }
+                    return Ok(Some(theta));
                 }
-                return Ok(Some(theta));
             }
+        }
+        if search.found_nothing() {
+            return Err(Error::EmptyRegion);
         }
         Ok(None)
     }
 
-    /// Uniform in the box of all parameters.
-    fn anywhere(&self, rng: &mut (impl Rng + ?Sized)) -> Vector<R> {
-        let mut theta = [R::ZERO; MAX_PARAMETERS];
-        for (value, p) in theta.iter_mut().zip(self.parameters()) {
-            *value = R::from_f64(p.low + (p.high - p.low) * uniform(rng));
+    /// Uniform in a box.
+    fn inside(
+        &self,
+        low: &Vector<R>,
+        high: &Vector<R>,
+        rng: &mut (impl Rng + ?Sized),
+    ) -> Vector<R> {
+        let mut theta = *low;
+        for (value, high) in theta.iter_mut().zip(high).take(self.parameters().len()) {
+            *value += (*high - *value) * R::from_f64(uniform(rng));
         }
         theta
     }
@@ -173,7 +164,8 @@ impl<R: Real> Grounded<'_, R> {
         if !(first.is_finite() && last.is_finite() && first < last) {
             return Ok(None);
         }
-        let set = self.slice(through, &direction, [first, last])?;
+        let mut set = IntervalSet::default();
+        self.slice(through, &direction, [first, last], &mut set)?;
         let along = |t: R| {
             let mut theta = *through;
             let moved = theta.iter_mut().zip(&direction).zip(low.iter().zip(&high));

@@ -36,151 +36,25 @@
 //!   [`MAX_CONSTRAINTS`](crate::grammar::MAX_CONSTRAINTS) are cut off at the
 //!   complex end, and the report says how many.
 
+mod bounds;
+mod config;
+
+pub use bounds::Bounds;
+pub use config::{Capacity, Config, Memory, Report};
+
 use super::log::Observation;
 use super::problem::Problem;
 use super::{Answer, Learner, Query};
-use crate::domain::{CHECKSUM, Dependence, Domain, MAX_PARAMETERS, Node, PointSet, Scene};
-use crate::error::Error;
-use crate::grammar::{
-    Comparison, Enumeration, Features, Formula, Hypotheses, Run, bit, feature_id,
+use crate::domain::{
+    CHECKSUM, Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene,
 };
+use crate::error::Error;
+use crate::grammar::{Features, Formula, Hypotheses};
 use crate::random::{Generator, below, generator, uniform_in};
 use crate::real::Real;
 use crate::region::{Region, Theta};
 use crate::table::Table;
-
-/// How many hypotheses and observations a learner has room for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Capacity {
-    /// Hypotheses, rounded down to a multiple of four.
-    pub hypotheses: usize,
-    /// Observations: samples that can be told.
-    pub observations: usize,
-}
-
-impl Capacity {
-    /// Room for features: enough for the pairs of any usual domain.
-    pub const fn features(self) -> usize {
-        let wanted = 128 + self.hypotheses / 32;
-        if wanted < 60_000 { wanted } else { 60_000 }
-    }
-
-    /// Room for left sides.
-    pub const fn lefts(self) -> usize {
-        self.features() / 4
-    }
-
-    /// Bytes of the hypothesis table.
-    pub const fn pairs(self) -> usize {
-        self.hypotheses / 4
-    }
-}
-
-/// The tables of a learner, lent by the caller. Each must have at least the
-/// length that [`Capacity`] tells; what is longer is not used.
-#[derive(Debug)]
-pub struct Memory<'m, R> {
-    /// [`Capacity::features`] terms.
-    pub features: &'m mut [Node],
-    /// [`Capacity::features`] numbers.
-    pub values: &'m mut [R],
-    /// [`Capacity::pairs`] bytes.
-    pub pairs: &'m mut [u8],
-    /// [`Capacity::lefts`] bounds.
-    pub bounds: &'m mut [Bounds<R>],
-    /// [`Capacity::observations`] observations.
-    pub observations: &'m mut [Observation],
-}
-
-/// What decides the questions of [`Algorithm1`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Config {
-    /// Seed of all random choices.
-    pub seed: u64,
-    /// Iterations K of the active loop.
-    pub iterations: u32,
-    /// The manual sample z-, expected to fail; left out if `None`.
-    pub negative: Option<Theta>,
-    /// The manual sample z+, expected to work; left out if `None`.
-    pub positive: Option<Theta>,
-}
-
-impl Default for Config {
-    /// The thesis's K = 100, no manual samples.
-    fn default() -> Self {
-        Config {
-            seed: 0,
-            iterations: 100,
-            negative: None,
-            positive: None,
-        }
-    }
-}
-
-/// How learning went so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Report {
-    /// Hypotheses of the grammar, and how many the table holds.
-    pub enumeration: Enumeration,
-    /// Hypotheses left after z- was told.
-    pub after_negative: Option<usize>,
-    /// Hypotheses left after z+ was told.
-    pub after_positive: Option<usize>,
-    /// Hypotheses left now.
-    pub remaining: usize,
-    /// Samples told.
-    pub calls: usize,
-    /// Samples told that were feasible.
-    pub feasible: usize,
-    /// Bounds that found no room in the region.
-    pub constraints_left_out: usize,
-}
-
-/// The tightest numeric bound on a left side from one direction, and the
-/// hypothesis it came from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Bound<R> {
-    value: R,
-    comparison: Comparison,
-    right: u16,
-}
-
-/// The bounds on a left side: `[from above, from below]`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds<R> {
-    recorded: [Option<Bound<R>>; 2],
-    candidate: [Option<Bound<R>>; 2],
-}
-
-impl<R> Default for Bounds<R> {
-    fn default() -> Self {
-        Bounds {
-            recorded: [None, None],
-            candidate: [None, None],
-        }
-    }
-}
-
-impl<R: Real> Bound<R> {
-    /// Dominance (Eq. 4.12) between bounds from one direction.
-    fn dominates(&self, other: &Bound<R>) -> bool {
-        let tighter = if self.comparison.is_upper() {
-            self.value < other.value
-        } else {
-            self.value > other.value
-        };
-        let stricter = !self.comparison.admits_equal() && other.comparison.admits_equal();
-        tighter || (self.value == other.value && stricter)
-    }
-
-    fn is_from(&self, other: &Bound<R>) -> bool {
-        self.right == other.right && self.comparison == other.comparison
-    }
-}
-
-fn direction(comparison: Comparison) -> usize {
-    usize::from(!comparison.is_upper())
-}
+use bounds::BoundTable;
 
 /// Where learning stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -236,7 +110,7 @@ pub struct Algorithm1<'m, R> {
     config: Config,
     features: Features<'m, R>,
     hypotheses: Hypotheses<'m>,
-    bounds: &'m mut [Bounds<R>],
+    bounds: BoundTable<'m, R>,
     observations: Table<'m, Observation>,
     rng: Generator,
     phase: Phase,
@@ -268,8 +142,7 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         let pairs = memory.pairs.get_mut(..capacity.pairs());
         let hypotheses = Hypotheses::enumerate(&features, pairs.ok_or_else(short)?);
         let bounds = memory.bounds.get_mut(..capacity.lefts());
-        let bounds = bounds.ok_or_else(short)?;
-        bounds.fill(Bounds::default());
+        let bounds = BoundTable::new(bounds.ok_or_else(short)?);
         let observations = memory.observations.get_mut(..capacity.observations);
         let observations = Table::new(observations.ok_or_else(short)?, "observations");
         for sample in [config.negative, config.positive].iter().flatten() {
@@ -370,56 +243,8 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         let instance = problem.instance(query.instance)?;
         let scene = Scene::new(problem.domain(), instance, self.points)?;
         self.features
-            .evaluate(&scene, &query.theta.map(R::from_f64))
-    }
-
-    /// Brings the bounds up to date with the hypotheses that are left.
-    fn settle_bounds(&mut self, feasible: bool) {
-        for bounds in self.bounds.iter_mut() {
-            bounds.candidate = [None, None];
-        }
-        let values = self.features.values();
-        let bounds = &mut *self.bounds;
-        self.hypotheses.for_each_run(&self.features, |run, pairs| {
-            for_each_bound(run, pairs, values, |bound, _| {
-                let side = side_of(bounds, run.left, bound.comparison, |b| &mut b.candidate);
-                if let Some(best) = side
-                    && best.as_ref().is_none_or(|best| bound.dominates(best))
-                {
-                    *best = Some(bound);
-                }
-            });
-        });
-        for bounds in self.bounds.iter_mut() {
-            let sides = bounds.recorded.iter_mut().zip(bounds.candidate);
-            for (recorded, candidate) in sides {
-                *recorded = match (candidate, *recorded) {
-                    (Some(new), Some(old)) if old.is_from(&new) && !new.dominates(&old) => {
-                        Some(old)
-                    }
-                    (Some(new), _) if feasible => Some(new),
-                    (Some(_), old) => old,
-                    (None, _) => None,
-                };
-            }
-        }
-        if feasible {
-            self.remove_dominated();
-        }
-    }
-
-    fn remove_dominated(&mut self) {
-        let values = self.features.values();
-        let bounds = &mut *self.bounds;
-        self.hypotheses.for_each_run(&self.features, |run, pairs| {
-            for_each_bound(run, pairs, values, |bound, pair| {
-                let side = side_of(bounds, run.left, bound.comparison, |b| &mut b.recorded);
-                let best = side.and_then(|best| *best);
-                if !best.is_some_and(|best| best.is_from(&bound)) {
-                    *pair &= !bit(bound.comparison);
-                }
-            });
-        });
+            .evaluate(&scene, &query.theta.map(R::from_f64));
+        Ok(())
     }
 
     /// The region of all bounds, simple left sides first.
@@ -427,20 +252,18 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         let mut formula = Formula::everything();
         let mut left_out = 0;
         let nodes = self.features.nodes();
-        for (left, bounds) in self.bounds.iter().enumerate() {
-            for bound in bounds.recorded.iter().flatten() {
-                let right = feature_id(usize::from(bound.right));
-                let literal = matches!(nodes.get(usize::from(right.0)), Some(Node::Number(_)));
-                let constant = domain.dependence(nodes, right) == Dependence::Constant;
-                let added = formula.and(
-                    nodes,
-                    feature_id(left),
-                    bound.comparison,
-                    bound.value.to_f64(),
-                    (constant && !literal).then_some(right),
-                );
-                left_out += usize::from(added.is_err());
-            }
+        for (left, bound) in self.bounds.iter() {
+            let term = nodes.get(usize::from(bound.right.0));
+            let literal = matches!(term, Some(Node::Number(_)));
+            let constant = domain.dependence(nodes, bound.right) == Dependence::Constant;
+            let added = formula.and(
+                nodes,
+                left,
+                bound.comparison,
+                bound.value.to_f64(),
+                (constant && !literal).then_some(bound.right),
+            );
+            left_out += usize::from(added.is_err());
         }
         self.report.constraints_left_out = left_out;
         self.region = Region::new(domain, formula);
@@ -497,7 +320,8 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         self.pending = None;
         let feasible = answer.is_feasible();
         self.hypotheses.update(&self.features, feasible);
-        self.settle_bounds(feasible);
+        self.bounds
+            .settle(&mut self.hypotheses, &self.features, feasible);
         self.rebuild_region(problem.domain());
         self.advance(feasible);
         Ok(())
@@ -534,46 +358,10 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
     }
 }
 
-/// Calls `visit` with every hypothesis of a run as the bound it sets at the
-/// present values, and its pair.
-fn for_each_bound<R: Real>(
-    run: &Run,
-    pairs: &mut [u8],
-    values: &[R],
-    mut visit: impl FnMut(Bound<R>, &mut u8),
-) {
-    let rights = run.rights.clone().zip(values.iter().skip(run.rights.start));
-    for ((right, value), pair) in rights.zip(pairs) {
-        if *pair == 0 {
-            continue;
-        }
-        for comparison in Comparison::ALL {
-            if *pair & bit(comparison) != 0 {
-                let bound = Bound {
-                    value: *value,
-                    comparison,
-                    right: feature_id(right).0,
-                };
-                visit(bound, pair);
-            }
-        }
-    }
-}
-
-fn side_of<R>(
-    bounds: &mut [Bounds<R>],
-    left: usize,
-    comparison: Comparison,
-    sides: fn(&mut Bounds<R>) -> &mut [Option<Bound<R>>; 2],
-) -> Option<&mut Option<Bound<R>>> {
-    sides(bounds.get_mut(left)?).get_mut(direction(comparison))
-}
-
 fn check_sample(domain: &Domain<'_>, sample: &Theta) -> Result<(), Error> {
     let used = sample.get(..domain.parameters().len()).unwrap_or(&[]);
     domain.check_parameters(used)?;
-    let inside =
-        |(value, p): (&f64, &crate::domain::Parameter<'_>)| p.low <= *value && *value <= p.high;
+    let inside = |(value, p): (&f64, &Parameter<'_>)| p.low <= *value && *value <= p.high;
     if used.iter().zip(domain.parameters()).all(inside) {
         Ok(())
     } else {

@@ -1,0 +1,94 @@
+//! What Algorithm 1 is given, and what it reports.
+
+use super::bounds::Bounds;
+use crate::domain::Node;
+use crate::grammar::Enumeration;
+use crate::learn::Observation;
+use crate::region::Theta;
+
+/// How many hypotheses and observations a learner has room for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Capacity {
+    /// Hypotheses, rounded down to a multiple of four.
+    pub hypotheses: usize,
+    /// Observations: samples that can be told.
+    pub observations: usize,
+}
+
+impl Capacity {
+    /// Room for features: enough for the pairs of any usual domain.
+    pub const fn features(self) -> usize {
+        let wanted = 128 + self.hypotheses / 32;
+        if wanted < 60_000 { wanted } else { 60_000 }
+    }
+
+    /// Room for left sides.
+    pub const fn lefts(self) -> usize {
+        self.features() / 4
+    }
+
+    /// Bytes of the hypothesis table.
+    pub const fn pairs(self) -> usize {
+        self.hypotheses / 4
+    }
+}
+
+/// The tables of a learner, lent by the caller. Each must have at least the
+/// length that [`Capacity`] tells; what is longer is not used.
+#[derive(Debug)]
+pub struct Memory<'m, R> {
+    /// [`Capacity::features`] terms.
+    pub features: &'m mut [Node],
+    /// [`Capacity::features`] numbers.
+    pub values: &'m mut [R],
+    /// [`Capacity::pairs`] bytes.
+    pub pairs: &'m mut [u8],
+    /// [`Capacity::lefts`] bounds.
+    pub bounds: &'m mut [Bounds<R>],
+    /// [`Capacity::observations`] observations.
+    pub observations: &'m mut [Observation],
+}
+
+/// What decides the questions of [`Algorithm1`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Config {
+    /// Seed of all random choices.
+    pub seed: u64,
+    /// Iterations K of the active loop.
+    pub iterations: u32,
+    /// The manual sample z-, expected to fail; left out if `None`.
+    pub negative: Option<Theta>,
+    /// The manual sample z+, expected to work; left out if `None`.
+    pub positive: Option<Theta>,
+}
+
+impl Default for Config {
+    /// The thesis's K = 100, no manual samples.
+    fn default() -> Self {
+        Config {
+            seed: 0,
+            iterations: 100,
+            negative: None,
+            positive: None,
+        }
+    }
+}
+
+/// How learning went so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// Hypotheses of the grammar, and how many the table holds.
+    pub enumeration: Enumeration,
+    /// Hypotheses left after z- was told.
+    pub after_negative: Option<usize>,
+    /// Hypotheses left after z+ was told.
+    pub after_positive: Option<usize>,
+    /// Hypotheses left now.
+    pub remaining: usize,
+    /// Samples told.
+    pub calls: usize,
+    /// Samples told that were feasible.
+    pub feasible: usize,
+    /// Bounds that found no room in the region.
+    pub constraints_left_out: usize,
+}
