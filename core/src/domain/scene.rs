@@ -90,21 +90,21 @@ impl PointSet {
 
 /// Where a sample point is: its origin may vary with the parameters.
 #[derive(Clone, Copy, Debug)]
-struct Placed<R, A> {
+struct Placed<A> {
     origin: [A; 3],
-    turn: Turn<R>,
+    turn: Turn,
 }
 
-/// How a sample point is turned.
+/// How a sample point is turned. An index and no frame: the usual point is turned
+/// like its base, and copying frames would cost more than all the rest.
 #[derive(Clone, Copy, Debug)]
-enum Turn<R> {
+enum Turn {
     /// As the world.
     World,
-    /// As a point that does not depend on the parameters: the usual case, in
-    /// which no frame is computed or copied.
+    /// As a point that does not depend on the parameters.
     As(u8),
-    /// In its own way; only the rotation of the frame counts.
-    Own(Frame3<R>),
+    /// In its own way, by the index of its frame in the sample.
+    Own(u8),
     /// In a way that varies and that the algebra cannot follow: it can with
     /// numbers only.
     Unknown,
@@ -131,34 +131,44 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
         instance: &'a [f64],
         points: PointSet,
     ) -> Result<Self, Error> {
-        domain.check_instance(instance)?;
-        let mut scene = Scene {
+        let mut scene = Scene::without_points(domain, instance);
+        scene.add(points)?;
+        Ok(scene)
+    }
+
+    /// As [`Scene::new`] for no points; [`Scene::add`] completes it in place, which
+    /// saves moving the frames.
+    pub(crate) fn without_points(domain: &'a Domain<'a>, instance: &'a [f64]) -> Self {
+        Scene {
             domain,
             instance,
             fixed: PointSet(0),
             frames: Vec::new(),
             sampled: PointSet(0),
-        };
+        }
+    }
+
+    pub(crate) fn add(&mut self, points: PointSet) -> Result<(), Error> {
+        self.domain.check_instance(self.instance)?;
         for index in points.iter() {
-            let Some(point) = domain.points().get(usize::from(index)) else {
+            let Some(point) = self.domain.points().get(usize::from(index)) else {
                 continue;
             };
             let bit = 1u32.checked_shl(u32::from(index)).unwrap_or(0);
             if point.sampled {
-                scene.sampled.0 |= bit;
+                self.sampled.0 |= bit;
                 continue;
             }
-            let frame = scene.fixed_frame(point);
-            scene
-                .frames
+            let frame = self.fixed_frame(point);
+            self.frames
                 .push(frame)
-                .map_err(|_| Error::CapacityExceeded("points of a domain"))?;
-            scene.fixed.0 |= bit;
+                .map_err(|_| Error::CapacityExceeded("points of a region or domain"))?;
+            self.fixed.0 |= bit;
         }
-        if scene.sampled.0.count_ones() as usize > MAX_SAMPLE_POINTS {
+        if self.sampled.0.count_ones() as usize > MAX_SAMPLE_POINTS {
             return Err(Error::CapacityExceeded("points that depend on a parameter"));
         }
-        Ok(scene)
+        Ok(())
     }
 
     /// The scene at a sample; `theta` has one entry per parameter.
@@ -167,6 +177,7 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
             scene: self,
             theta,
             placed: Vec::new(),
+            frames: Vec::new(),
         };
         for index in self.sampled.iter() {
             if let Some(point) = self.domain.points().get(usize::from(index)) {
@@ -256,7 +267,9 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
 pub struct Sample<'s, 'a, R, A, const POINTS: usize = MAX_POINTS> {
     scene: &'s Scene<'a, R, POINTS>,
     theta: &'s [A],
-    placed: Vec<Placed<R, A>, MAX_SAMPLE_POINTS>,
+    placed: Vec<Placed<A>, MAX_SAMPLE_POINTS>,
+    /// Of the points that are turned; only their rotation counts.
+    frames: Vec<Frame3<R>, MAX_SAMPLE_POINTS>,
 }
 
 impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
@@ -326,7 +339,7 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
     }
 
     /// Where a sample point is; `None` for a point that is none.
-    fn placed(&self, point: u8) -> Option<&Placed<R, A>> {
+    fn placed(&self, point: u8) -> Option<&Placed<A>> {
         let sampled = self.scene.sampled;
         sampled
             .has(point)
@@ -345,57 +358,85 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
 
     /// The direction of a point's x axis, if it is known.
     fn heading(&self, point: u8) -> Option<[R; 3]> {
+        let turn = self.placed(point).map_or(Turn::As(point), |p| p.turn);
         let world = Frame3::identity();
-        let frame = match self.placed(point) {
-            Some(placed) => self.frame_of(&placed.turn, &world),
-            None => self.scene.frame(point),
-        };
-        let [[x, ..], [y, ..], [z, ..]] = frame?.rotation();
+        let [[x, ..], [y, ..], [z, ..]] = self.frame_of(turn, &world)?.rotation();
         Some([x, y, z])
     }
 
     /// The frame whose rotation a turn names.
-    fn frame_of<'f>(&'f self, turn: &'f Turn<R>, world: &'f Frame3<R>) -> Option<&'f Frame3<R>> {
+    fn frame_of<'f>(&'f self, turn: Turn, world: &'f Frame3<R>) -> Option<&'f Frame3<R>> {
         match turn {
             Turn::World => Some(world),
-            Turn::As(point) => self.scene.frame(*point),
-            Turn::Own(frame) => Some(frame),
+            Turn::As(point) => self.scene.frame(point),
+            Turn::Own(index) => self.frames.get(usize::from(index)),
             Turn::Unknown => None,
         }
     }
 
     /// Turns and moves a sample point in the frame it is placed in.
-    fn place(&self, point: &Point<'_>) -> Placed<R, A> {
-        let world = Frame3::identity();
+    fn place(&mut self, point: &Point<'_>) -> Placed<A> {
         let (origin, base_turn) = match point.base {
-            Base::World => (world.origin().map(A::constant), Turn::World),
+            Base::World => ([A::constant(R::ZERO); 3], Turn::World),
             Base::Object(object) => {
                 let frame = self.scene.object_frame(object);
-                (frame.origin().map(A::constant), Turn::Own(frame))
+                (frame.origin().map(A::constant), self.own(frame))
             }
             Base::Point(p) => {
                 let turn = self.placed(p).map_or(Turn::As(p), |placed| placed.turn);
                 (self.origin(p), turn)
             }
         };
-        let terms = |ids: [Option<NodeId>; 3]| ids.map(|id| self.scene.offset_term(id, self.theta));
         let turn = if point.turn == [None; 3] {
             base_turn
         } else {
-            let angles = terms(point.turn).map(A::known);
-            match (self.frame_of(&base_turn, &world), angles) {
-                (Some(frame), [Some(yaw), Some(pitch), Some(roll)]) => {
-                    Turn::Own(frame.compose(&Frame3::new([R::ZERO; 3], [yaw, pitch, roll])))
-                }
-                _ => Turn::Unknown,
-            }
+            self.turned(base_turn, point.turn)
         };
-        let origin = match self.frame_of(&turn, &world) {
-            Some(frame) => moved(origin, frame, terms(point.offset), point.offset),
-            None if point.offset == [None; 3] => origin,
+        if point.offset == [None; 3] {
+            return Placed { origin, turn };
+        }
+        let world = Frame3::identity();
+        let origin = match self.frame_of(turn, &world) {
+            Some(frame) => self.moved(origin, frame, point.offset),
             None => [A::unknown(); 3],
         };
         Placed { origin, turn }
+    }
+
+    fn turned(&mut self, base: Turn, turn: [Option<NodeId>; 3]) -> Turn {
+        let angles = turn.map(|id| self.scene.offset_term(id, self.theta).known());
+        let world = Frame3::identity();
+        match (self.frame_of(base, &world), angles) {
+            (Some(frame), [Some(yaw), Some(pitch), Some(roll)]) => {
+                let inner = Frame3::new([R::ZERO; 3], [yaw, pitch, roll]);
+                let frame = frame.compose(&inner);
+                self.own(frame)
+            }
+            _ => Turn::Unknown,
+        }
+    }
+
+    /// Keeps a frame; there is room for one of each sample point.
+    fn own(&mut self, frame: Frame3<R>) -> Turn {
+        let index = self.frames.len();
+        match (self.frames.push(frame), u8::try_from(index)) {
+            (Ok(()), Ok(index)) => Turn::Own(index),
+            _ => Turn::Unknown,
+        }
+    }
+
+    /// `origin + rotation * offset`, leaving out the components that are zero.
+    fn moved(&self, mut origin: [A; 3], frame: &Frame3<R>, offset: [Option<NodeId>; 3]) -> [A; 3] {
+        for (axis, term) in frame.axes().into_iter().zip(offset) {
+            if term.is_none() {
+                continue;
+            }
+            let step = self.scene.offset_term(term, self.theta);
+            for (coordinate, entry) in origin.iter_mut().zip(axis) {
+                *coordinate = coordinate.plus(A::constant(entry).times(step));
+            }
+        }
+        origin
     }
 }
 
@@ -410,21 +451,4 @@ fn turned<R: Real>(frame: Frame3<R>, declared: [Option<NodeId>; 3], angles: [R; 
         return frame;
     }
     frame.compose(&Frame3::new([R::ZERO; 3], angles))
-}
-
-/// `origin + rotation * offset`, leaving out the components that are zero.
-fn moved<R: Real, A: Algebra<R>>(
-    mut origin: [A; 3],
-    frame: &Frame3<R>,
-    offset: [A; 3],
-    declared: [Option<NodeId>; 3],
-) -> [A; 3] {
-    for (coordinate, row) in origin.iter_mut().zip(frame.rotation()) {
-        for ((entry, step), declared) in row.into_iter().zip(offset).zip(declared) {
-            if declared.is_some() {
-                *coordinate = coordinate.plus(A::constant(entry).times(step));
-            }
-        }
-    }
-    origin
 }

@@ -55,10 +55,14 @@ impl<R: Real> Frame3<R> {
         self.origin
     }
 
-    /// Its rotation matrix, by rows (Eq 2.10); the columns are its axes in the
-    /// parent frame.
+    /// Its rotation matrix, by rows (Eq 2.10).
     pub fn rotation(&self) -> [[R; 3]; 3] {
         self.rotation
+    }
+
+    /// Its x, y and z axis in the parent frame: the columns of the rotation.
+    pub fn axes(&self) -> [Vector3<R>; 3] {
+        transpose(self.rotation)
     }
 
     /// Its `[yaw, pitch, roll]` in the parent frame; pitch in `[-pi/2, pi/2]`,

@@ -29,11 +29,25 @@ impl<'a, R: Real> Grounded<'a, R> {
         domain: &'a Domain<'a>,
         instance: &'a [f64],
     ) -> Result<Self, Error> {
-        Ok(Grounded {
+        let mut grounded = Self::blank(region, domain, instance);
+        grounded.settle()?;
+        Ok(grounded)
+    }
+
+    /// As [`Grounded::new`], to be completed in place by [`Grounded::settle`].
+    pub(super) fn blank(region: &'a Region, domain: &'a Domain<'a>, instance: &'a [f64]) -> Self {
+        Grounded {
             region,
             domain,
-            scene: Scene::new(domain, instance, region.points)?,
-        })
+            scene: Scene::without_points(domain, instance),
+        }
+    }
+
+    pub(super) fn settle(&mut self) -> Result<(), Error> {
+        if self.domain.fingerprint() != self.region.fingerprint {
+            return Err(Error::Mismatch("the region belongs to another domain text"));
+        }
+        self.scene.add(self.region.points)
     }
 
     /// The parameters of the action.
@@ -81,6 +95,13 @@ impl<'a, R: Real> Grounded<'a, R> {
     /// # Errors
     /// [`Error::InvalidArgument`] unless the action has one parameter.
     pub fn intervals(&self) -> Result<IntervalSet<R>, Error> {
+        let mut set = IntervalSet::default();
+        self.find_intervals(&mut set)?;
+        Ok(set)
+    }
+
+    /// As [`Grounded::intervals`], into a set that is there already.
+    pub(super) fn find_intervals(&self, set: &mut IntervalSet<R>) -> Result<(), Error> {
         let [parameter] = self.parameters() else {
             return Err(Error::InvalidArgument(
                 "intervals exist for an action with one parameter",
@@ -90,9 +111,7 @@ impl<'a, R: Real> Grounded<'a, R> {
         let [first, ..] = &mut direction;
         *first = R::ONE;
         let ends = [parameter.low, parameter.high].map(R::from_f64);
-        let mut set = IntervalSet::default();
-        self.slice(&[R::ZERO; MAX_PARAMETERS], &direction, ends, &mut set)?;
-        Ok(set)
+        self.slice(&[R::ZERO; MAX_PARAMETERS], &direction, ends, set)
     }
 
     /// Sets `set` to the admitted positions `t` between two ends on the line

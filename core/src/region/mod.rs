@@ -100,9 +100,6 @@ impl Region {
         domain: &'a Domain<'a>,
         instance: &'a [f64],
     ) -> Result<Grounded<'a, R>, Error> {
-        if domain.fingerprint() != self.fingerprint {
-            return Err(Error::Mismatch("the region belongs to another domain text"));
-        }
         Grounded::new(self, domain, instance)
     }
 
@@ -129,6 +126,8 @@ impl Region {
         instance: &[f64],
         rng: &mut (impl Rng + ?Sized),
     ) -> Result<Theta, Error> {
-        self.ground::<R>(domain, instance)?.sample(rng)
+        let mut grounded = Grounded::<R>::blank(self, domain, instance);
+        grounded.settle()?;
+        grounded.sample(rng)
     }
 }

@@ -37,7 +37,8 @@ impl<R: Real> Grounded<'_, R> {
                 .admits(&[R::ZERO; MAX_PARAMETERS])?
                 .then_some([R::ZERO; MAX_PARAMETERS]),
             [_] => {
-                let set = self.intervals()?;
+                let mut set = IntervalSet::default();
+                self.find_intervals(&mut set)?;
                 if set.is_empty() {
                     return Err(Error::EmptyRegion);
                 }
