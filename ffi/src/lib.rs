@@ -1,1 +1,71 @@
-//! draft
+//! The C interface of critreg.
+//!
+//! `include/critreg.h` is generated from this crate and is its manual: the
+//! conventions stand at the head of it, the contract of each function above its
+//! declaration. This crate is the only place of the library with unsafe code. It
+//! does three things: it checks what comes from C, it lays the parts of a handle
+//! into the caller's memory, and it calls the safe core.
+//!
+//! | module | content |
+//! |---|---|
+//! | [`status`] | status codes and the words for them |
+//! | [`memory`] | how much memory a handle takes |
+//! | [`config`] | the structs that a program fills or reads |
+//! | [`learner`] | a learner in the caller's memory |
+//! | [`learning`] | asking, telling, saving, resuming |
+//! | [`region`] | regions in memory, as text and as bytes |
+//! | [`sampling`] | what a region says about an instance: samples |
+//! | [`rng`] | random numbers |
+//! | [`check`] | what is wrong with a text, in words |
+//! | [`stick_button`] | the built-in environment |
+//!
+//! # Why it is sound
+//! - The parts of a handle are cut out of the caller's memory without overlap
+//!   (the `memory` module computes their places and nothing else does), so no
+//!   reference to one covers another. `'static` in their types means: as long as
+//!   the caller lends the memory, which the header makes the caller's promise.
+//! - All that a learner changes is behind a `RefCell`. A callback that calls back
+//!   finds it borrowed and gets [`status::CRITREG_BUSY`].
+//! - A handle is used only if it carries its seal, which depends on its address:
+//!   memory that is no handle, was retired or was moved is refused.
+//! - Nothing here panics. If something did, `extern "C"` would abort instead of
+//!   unwinding into C.
+
+#![no_std]
+#![deny(unsafe_op_in_unsafe_fn)]
+#![deny(
+    clippy::undocumented_unsafe_blocks,
+    clippy::indexing_slicing,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic
+)]
+#![allow(
+    clippy::missing_safety_doc,
+    reason = "one contract for all functions stands at the head of the header"
+)]
+#![allow(non_camel_case_types, reason = "these are the names of the C types")]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+pub mod check;
+pub mod config;
+pub mod learner;
+pub mod learning;
+pub mod memory;
+mod pointer;
+pub mod region;
+pub mod rng;
+pub mod sampling;
+pub mod status;
+pub mod stick_button;
+mod text;
+
+#[cfg(all(feature = "halt", not(feature = "std"), not(test)))]
+#[panic_handler]
+fn halt(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {
+        core::hint::spin_loop();
+    }
+}

@@ -4,13 +4,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 9] = [
+const SOURCES: [&str; 10] = [
     "status.rs",
     "memory.rs",
     "config.rs",
     "learner.rs",
     "learning.rs",
     "region.rs",
+    "sampling.rs",
     "rng.rs",
     "check.rs",
     "stick_button.rs",

@@ -6,8 +6,8 @@ use critreg::grammar::{Comparison, Features, Hypotheses};
 use critreg::learn::{
     Algorithm1, Answer, Config, Learner, Problem, Query, resume, save, saved_len,
 };
-use critreg_tests::pick;
 use critreg_tests::room::Room;
+use critreg_tests::{arm, pick};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -230,37 +230,85 @@ proptest! {
         prop_assert_eq!(part.observations(), whole.observations());
         prop_assert_eq!(region_text(&part, &domain), region_text(&whole, &domain));
         prop_assert_eq!(part.report(), whole.report());
+        let bytes = |learner: &Algorithm1<'_, f64>| {
+            let mut bytes = vec![0; saved_len(learner, &problem)];
+            save(learner, &problem, &mut bytes).unwrap();
+            bytes
+        };
+        prop_assert_eq!(bytes(&part), bytes(&whole));
     }
+}
+
+/// Every hypothesis of a domain as text, from a table in which nothing overflows.
+fn all_hypotheses(domain: &Domain<'_>) -> Vec<String> {
+    let mut room = Room::new(8_000_000, 0);
+    let memory = room.lend();
+    let features: Features<'_, f64> =
+        Features::enumerate(domain, memory.features, memory.values).unwrap();
+    let hypotheses = Hypotheses::enumerate(&features, memory.pairs);
+    let counts = hypotheses.enumeration();
+    assert_eq!((counts.left_out, counts.kept), (0, counts.enumerated));
+    let write = |id| {
+        let mut text = String::new();
+        domain
+            .write_expression(&mut text, features.nodes(), id)
+            .unwrap();
+        text
+    };
+    let sides: Vec<String> = (0..features.len() as u16)
+        .map(|i| write(NodeId(i)))
+        .collect();
+    let side = |id: NodeId| &sides[usize::from(id.0)];
+    let mut texts = Vec::new();
+    hypotheses.for_each(&features, |l, c, r| {
+        texts.push(format!("{} {} {}", side(l), c.symbol(), side(r)));
+    });
+    assert_eq!(texts.len() as u64, counts.kept);
+    texts
 }
 
 #[test]
 fn enumeration_is_complete_where_nothing_overflows() {
-    let domain = Domain::parse(REACH).unwrap();
-    let mut room = Room::new(100_000, 0);
-    let memory = room.lend();
-    let features: Features<'_, f64> =
-        Features::enumerate(&domain, memory.features, memory.values).unwrap();
-    let hypotheses = Hypotheses::enumerate(&features, memory.pairs);
-    let counts = hypotheses.enumeration();
-    assert_eq!((counts.left_out, counts.kept), (0, counts.enumerated));
-    // Every hypothesis is another one, and simple ones come first.
-    let mut texts = Vec::new();
-    hypotheses.for_each(&features, |l, c, r| {
-        let mut text = String::new();
-        domain
-            .write_expression(&mut text, features.nodes(), l)
-            .unwrap();
-        text += c.symbol();
-        domain
-            .write_expression(&mut text, features.nodes(), r)
-            .unwrap();
-        texts.push(text);
-    });
-    let distinct: std::collections::BTreeSet<_> = texts.iter().collect();
-    assert_eq!(distinct.len(), texts.len());
-    assert_eq!(texts.first().unwrap(), "reach<margin");
-    assert!(texts.contains(&"hand.x>=wall.x - margin".to_string()));
-    assert!(texts.contains(&"dist(hand, wall)<0.5*margin".to_string()));
+    for (domain, examples) in [
+        (
+            Domain::parse(REACH).unwrap(),
+            [
+                "reach < margin",
+                "hand.x >= wall.x - margin",
+                "dist(hand, wall) < 0.5*margin",
+            ],
+        ),
+        (
+            pick::domain(),
+            [
+                "mu <= 0.5",
+                "grasp.y <= zone.top - robot.radius",
+                "dist(grasp, holder.centre) > robot.radius + 0.5*holder.width",
+            ],
+        ),
+        (
+            arm::domain(),
+            [
+                "q <= box.theta",
+                "angle(elbow, box) > 0.5*box.theta",
+                "dist(hand, base) <= reach",
+            ],
+        ),
+    ] {
+        let texts = all_hypotheses(&domain);
+        let distinct: std::collections::BTreeSet<_> = texts.iter().collect();
+        assert_eq!(
+            distinct.len(),
+            texts.len(),
+            "every hypothesis is another one"
+        );
+        for text in examples {
+            assert!(distinct.contains(&text.to_string()), "{text}");
+        }
+    }
+    // Simple ones come first.
+    let first = all_hypotheses(&Domain::parse(REACH).unwrap()).swap_remove(0);
+    assert_eq!(first, "reach < margin");
 }
 
 #[test]

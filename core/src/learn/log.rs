@@ -112,8 +112,9 @@ pub fn save(
 ///
 /// # Errors
 /// [`Error::Corrupt`] for damaged bytes, [`Error::Mismatch`] if they were saved
-/// for another problem or configuration: then nothing was told.
-/// [`Error::OutOfSequence`] if the learner is not fresh.
+/// for another problem or configuration, [`Error::CapacityExceeded`] if there is
+/// no room for all observations, [`Error::OutOfSequence`] if the learner is not
+/// fresh: then nothing was told.
 pub fn resume<L: Learner>(
     learner: &mut L,
     problem: &Problem<'_>,
@@ -137,6 +138,9 @@ pub fn resume<L: Learner>(
     }
     let parameters = reader.u16()?;
     let count = reader.u32()?;
+    if usize::try_from(count).map_or(true, |count| count > learner.room()) {
+        return Err(Error::CapacityExceeded("observations"));
+    }
     for _ in 0..count {
         let instance = reader.u32()?;
         let failed_step = reader.u32()?;

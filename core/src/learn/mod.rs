@@ -86,6 +86,9 @@ pub trait Learner {
     /// All that was asked and told, in order.
     fn observations(&self) -> &[Observation];
 
+    /// How many observations there is room for.
+    fn room(&self) -> usize;
+
     /// A checksum of everything that decides what is asked, apart from the
     /// problem and the answers.
     fn fingerprint(&self) -> u32;

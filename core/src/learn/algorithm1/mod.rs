@@ -342,6 +342,10 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         self.observations.as_slice()
     }
 
+    fn room(&self) -> usize {
+        self.observations.capacity()
+    }
+
     fn fingerprint(&self) -> u32 {
         let mut digest = CHECKSUM.digest();
         digest.update(b"algorithm1");

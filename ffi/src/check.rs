@@ -1,0 +1,111 @@
+//! What is wrong with a text, in words.
+
+use crate::memory::CRITREG_DOMAIN_TEXT_MAX;
+use crate::pointer;
+use crate::region::REGION_TEXT_MAX;
+use crate::status::{Failure, Fallible, critreg_status, status_of};
+use crate::text;
+use core::ffi::c_char;
+use core::fmt;
+use critreg_core::domain::Domain;
+use critreg_core::region::Region;
+
+/// Reads a domain text and says what is wrong with it, such as
+/// "line 3, column 7: unknown object".
+///
+/// @param domain The domain text, ended by NUL.
+/// @param text Receives the words, ended by NUL: an empty text if all is well.
+/// They are written also if the check fails, which is what they are for, and cut
+/// off where the buffer ends. 128 bytes are always enough.
+/// @param len Length of text in bytes; 0 if the words are not wanted.
+/// @param needed NULL, or receives the length of the words with their NUL.
+/// @return CRITREG_OK if the text is a domain; CRITREG_SYNTAX_ERROR; CRITREG_CAPACITY_EXCEEDED if it is
+/// longer than CRITREG_DOMAIN_TEXT_MAX or declares too many things;
+/// CRITREG_INVALID_ARGUMENT if it is not UTF-8; CRITREG_NULL_POINTER,
+/// CRITREG_MISALIGNED.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_check_domain(
+    domain: *const c_char,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        let checked = parse_domain(domain).map(|_| ());
+        explain(checked, text, len, needed)
+    }
+}
+
+/// Reads a region text and says what is wrong with it.
+///
+/// @param domain The domain text that the region speaks about, ended by NUL.
+/// @param region_text The region text, ended by NUL.
+/// @param text Receives the words, as for critreg_check_domain(). If the domain
+/// text is wrong, they are about that.
+/// @param len Length of text in bytes; 0 if the words are not wanted.
+/// @param needed NULL, or receives the length of the words with their NUL.
+/// @return CRITREG_OK if critreg_region_parse() would accept both texts, else as
+/// critreg_check_domain().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_check_region(
+    domain: *const c_char,
+    region_text: *const c_char,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        let checked = check_region(domain, region_text);
+        explain(checked, text, len, needed)
+    }
+}
+
+/// # Safety
+/// If not NULL, the text can be read up to its NUL.
+unsafe fn parse_domain<'a>(domain: *const c_char) -> Fallible<Domain<'a>> {
+    // SAFETY: by this function's contract.
+    let text = unsafe { pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain")? };
+    Ok(Domain::parse(text)?)
+}
+
+/// # Safety
+/// If not NULL, the texts can be read up to their NUL.
+unsafe fn check_region(domain: *const c_char, region_text: *const c_char) -> Fallible {
+    // SAFETY: by this function's contract.
+    let (domain, text) = unsafe {
+        (
+            parse_domain(domain)?,
+            pointer::text(region_text, REGION_TEXT_MAX, "region_text")?,
+        )
+    };
+    Region::parse(&domain, text)?;
+    Ok(())
+}
+
+struct Words(Fallible);
+
+impl fmt::Display for Words {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Ok(()) => Ok(()),
+            Err(failure) => failure.fmt(f),
+        }
+    }
+}
+
+/// # Safety
+/// As for [`text::write`].
+unsafe fn explain(
+    checked: Fallible,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
+    let written: Result<(), Failure> =
+        unsafe { text::write_cut_off(&Words(checked), text, len, needed) };
+    // A wrong buffer is the first thing to put right.
+    status_of(written.and(checked))
+}

@@ -1,0 +1,298 @@
+//! A learner in the caller's memory.
+
+use crate::config::{
+    self, CRITREG_MAX_DEFAULT_HYPOTHESES, critreg_config, critreg_progress, critreg_report,
+};
+use crate::memory::{ALIGNMENT, CRITREG_DOMAIN_TEXT_MAX, LearnerPlan};
+use crate::pointer::{self, Output};
+use crate::region::critreg_region;
+use crate::status::{CRITREG_BUSY, CRITREG_OK, Failure, Fallible, critreg_status, status_of};
+use core::cell::{Cell, RefCell};
+use core::ffi::{c_char, c_void};
+use critreg_core::domain::{Domain, Node};
+use critreg_core::learn::{Algorithm1, Capacity, Learner as _, Memory, Problem};
+
+/// Fewest hypotheses that make a learner: the four comparisons of one pair.
+const FEWEST_HYPOTHESES: usize = 4;
+
+/// A learner. It lies at the start of the memory it was made in.
+pub struct critreg_learner {
+    seal: Cell<usize>,
+    /// What the last call left behind, also readable from a callback.
+    pub(crate) report: Cell<critreg_report>,
+    pub(crate) finished: Cell<bool>,
+    pub(crate) message: Cell<Option<Failure>>,
+    pub(crate) domain: &'static Domain<'static>,
+    inner: RefCell<Inner>,
+}
+
+/// What a call on a learner borrows.
+pub(crate) struct Inner {
+    pub(crate) learner: Algorithm1<'static, f64>,
+    /// Room for the handle of the learned region; a part of the caller's memory.
+    pub(crate) region: *mut critreg_region,
+    pub(crate) progress: critreg_progress,
+    pub(crate) progress_data: *mut c_void,
+}
+
+impl Inner {
+    /// Makes the region handle that was given out unusable, because what it
+    /// describes is about to change.
+    pub(crate) fn retire_region(&mut self) {
+        // SAFETY: the region's part is reserved for the handle, and nothing refers
+        // to it while a function runs that changes the learner.
+        unsafe { critreg_region::retire(self.region) }
+    }
+}
+
+/// What a learner at this address carries.
+fn seal_at(address: usize) -> usize {
+    address ^ (0x6C65_6172_6E65_7263_u64 as usize)
+}
+
+impl critreg_learner {
+    /// Breaks the seal of whatever lies in a learner's memory.
+    ///
+    /// # Safety
+    /// The memory is long enough for a learner, aligned, and lent to this call.
+    unsafe fn retire(learner: *mut critreg_learner) {
+        // SAFETY: by this function's contract; a word may have any value.
+        unsafe { (&raw mut (*learner).seal).cast::<usize>().write(0) }
+    }
+
+    /// The learner at a pointer.
+    ///
+    /// # Safety
+    /// If not NULL and aligned, the pointer is readable for as long as a learner is.
+    pub(crate) unsafe fn open<'a>(
+        learner: *const critreg_learner,
+    ) -> Fallible<&'a critreg_learner> {
+        pointer::check(learner, "learner")?;
+        // SAFETY: readable by this function's contract; a word may have any value.
+        let seal = unsafe { (&raw const (*learner).seal).cast::<usize>().read() };
+        if seal != seal_at(learner.addr()) {
+            return Err(Failure::NotAHandle);
+        }
+        // SAFETY: the seal shows that `critreg_learner_init` wrote a learner there.
+        Ok(unsafe { &*learner })
+    }
+
+    /// Takes over what the inner learner has to report.
+    pub(crate) fn publish(&self, inner: &Inner) {
+        self.report.set(critreg_report::new(inner.learner.report()));
+        self.finished.set(inner.learner.is_finished());
+    }
+}
+
+/// Runs a call on a learner: refuses it if the learner is in use, and keeps the
+/// words about a failure.
+///
+/// # Safety
+/// As for [`critreg_learner::open`].
+pub(crate) unsafe fn with_learner(
+    learner: *mut critreg_learner,
+    body: impl FnOnce(&critreg_learner, &mut Inner) -> Fallible,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
+    let handle = match unsafe { critreg_learner::open(learner) } {
+        Ok(handle) => handle,
+        Err(failure) => return failure.status(),
+    };
+    let Ok(mut inner) = handle.inner.try_borrow_mut() else {
+        return CRITREG_BUSY;
+    };
+    let result = body(handle, &mut inner);
+    handle.publish(&inner);
+    match result {
+        Ok(()) => CRITREG_OK,
+        Err(failure) => {
+            handle.message.set(Some(failure));
+            failure.status()
+        }
+    }
+}
+
+/// The problem that the caller's instances make with the learner's domain.
+///
+/// # Safety
+/// If not NULL and aligned, `instances` is readable for `count` instances.
+pub(crate) unsafe fn problem<'a>(
+    handle: &critreg_learner,
+    instances: *const f64,
+    count: usize,
+) -> Fallible<Problem<'a>> {
+    let numbers = handle.domain.instance_len().checked_mul(count);
+    let numbers = numbers.ok_or(Failure::invalid("count is too large"))?;
+    // SAFETY: by this function's contract.
+    let instances = unsafe { pointer::slice(instances, numbers, "instances")? };
+    Ok(Problem::new(handle.domain, instances, count)?)
+}
+
+/// How many bytes of memory a learner takes.
+///
+/// Where the capacities are constants, CRITREG_LEARNER_WORDS() sizes a static
+/// array instead.
+///
+/// @param hypotheses Hypotheses to have room for.
+/// @param observations Samples to have room for.
+/// @return The number of bytes; 0 if memory cannot be that large.
+#[unsafe(no_mangle)]
+pub extern "C" fn critreg_learner_size(hypotheses: u32, observations: u32) -> usize {
+    let capacity = Capacity {
+        hypotheses: hypotheses as usize,
+        observations: observations as usize,
+    };
+    LearnerPlan::new(capacity).map_or(0, |plan| plan.size)
+}
+
+/// The alignment in bytes that the memory of a learner needs. An array of
+/// uint64_t and what malloc() returns have it.
+#[unsafe(no_mangle)]
+pub extern "C" fn critreg_learner_align() -> usize {
+    ALIGNMENT
+}
+
+/// Makes a learner in memory of the program.
+///
+/// The capacities come from the configuration. Where it leaves the number of
+/// hypotheses open, the learner takes as many as the memory has room for beside
+/// the observations, so that CRITREG_LEARNER_WORDS(4096, 256) words and a config
+/// of NULL make room for at least 4096 hypotheses and 256 samples. What is
+/// learned depends on the number of hypotheses; where the same result is wanted
+/// from memory of another size, set config.hypotheses.
+///
+/// A learner needs no end: reuse its memory when you are done with it. What the
+/// memory held before does not matter.
+///
+/// @param memory Memory for the learner, aligned to critreg_learner_align(). From
+/// now on it belongs to the learner: do not write to it, move it or copy it.
+/// @param memory_len Its length in bytes.
+/// @param domain What there is to know about the action, in the language of the
+/// domain text above, ended by NUL. Copied.
+/// @param config What the learner does; NULL for the defaults. Copied.
+/// @param learner Receives the handle, which lies at the start of the memory.
+/// @return CRITREG_TOO_SMALL if the memory is too short for the capacities;
+/// CRITREG_SYNTAX_ERROR (ask critreg_check_domain() where);
+/// CRITREG_CAPACITY_EXCEEDED if the text is longer than CRITREG_DOMAIN_TEXT_MAX
+/// or declares too many things; CRITREG_INVALID_ARGUMENT for a domain without
+/// parameters, a text that is not UTF-8, a wrong configuration or a manual sample
+/// outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual
+/// sample; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_init(
+    memory: *mut c_void,
+    memory_len: usize,
+    domain: *const c_char,
+    config: *const critreg_config,
+    learner: *mut *mut critreg_learner,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise.
+    status_of(unsafe { init(memory.cast(), memory_len, domain, config, learner) })
+}
+
+/// # Safety
+/// The contract of [`critreg_learner_init`].
+unsafe fn init(
+    memory: *mut u8,
+    memory_len: usize,
+    domain: *const c_char,
+    config: *const critreg_config,
+    learner: *mut *mut critreg_learner,
+) -> Fallible {
+    pointer::check(memory.cast::<u64>(), "memory")?;
+    // SAFETY: by this function's contract, for all three.
+    let (text, config, output) = unsafe {
+        (
+            pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain")?,
+            config::read(config)?,
+            Output::new(learner, "learner")?,
+        )
+    };
+    let mut capacity = config.capacity();
+    if capacity.hypotheses == 0 {
+        let most = CRITREG_MAX_DEFAULT_HYPOTHESES as usize;
+        capacity.hypotheses = LearnerPlan::most_hypotheses(memory_len, capacity.observations, most);
+    } else if capacity.hypotheses < FEWEST_HYPOTHESES {
+        return Err(Failure::invalid("a learner needs at least four hypotheses"));
+    }
+    let plan = LearnerPlan::new(capacity)
+        .filter(|plan| plan.size <= memory_len && capacity.hypotheses >= FEWEST_HYPOTHESES)
+        .ok_or(Failure::TooSmall("the memory of the learner"))?;
+    // SAFETY: the memory was checked for NULL, alignment and length; the caller
+    // lends it to this learner alone, and the parts of a plan do not overlap.
+    unsafe {
+        // If this fails, a learner that was here before is one no more.
+        critreg_learner::retire(plan.handle.place(memory));
+        let domain = plan.domain.put(memory, text)?;
+        if domain.parameters().is_empty() {
+            return Err(Failure::invalid(
+                "the domain declares no parameter to learn about",
+            ));
+        }
+        let settings = config.settings(domain)?;
+        let tables = Memory {
+            features: plan.features.fill(memory, Node::Number(0.0)),
+            values: plan.values.fill(memory, 0.0),
+            pairs: plan.pairs.fill(memory, 0),
+            bounds: plan.bounds.fill(memory, Default::default()),
+            observations: plan.observations.fill(memory, Default::default()),
+        };
+        let mut inner = Inner {
+            learner: Algorithm1::new(domain, settings, capacity, tables)?,
+            region: plan.region.place(memory),
+            progress: config.progress,
+            progress_data: config.progress_data,
+        };
+        inner.retire_region();
+        let handle = plan.handle.place(memory);
+        handle.write(critreg_learner {
+            seal: Cell::new(seal_at(handle.addr())),
+            report: Cell::new(critreg_report::new(inner.learner.report())),
+            finished: Cell::new(inner.learner.is_finished()),
+            message: Cell::new(None),
+            domain,
+            inner: RefCell::new(inner),
+        });
+        output.write(handle);
+    }
+    Ok(())
+}
+
+/// How many numbers an instance has: one per attribute of every object of the
+/// domain, in order of declaration.
+///
+/// @param learner The learner.
+/// @param len Receives the number.
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_instance_len(
+    learner: *const critreg_learner,
+    len: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise.
+    let number = unsafe { critreg_learner::open(learner) }.and_then(|handle| {
+        // SAFETY: as above.
+        unsafe { Output::new(len, "len") }?.write(handle.domain.instance_len());
+        Ok(())
+    });
+    status_of(number)
+}
+
+/// How many parameters the action has: the length of a sample.
+///
+/// @param learner The learner.
+/// @param count Receives the number.
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_parameter_count(
+    learner: *const critreg_learner,
+    count: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise.
+    let number = unsafe { critreg_learner::open(learner) }.and_then(|handle| {
+        // SAFETY: as above.
+        unsafe { Output::new(count, "count") }?.write(handle.domain.parameters().len());
+        Ok(())
+    });
+    status_of(number)
+}

@@ -1,0 +1,391 @@
+//! Asking, telling, saving, resuming.
+
+use crate::config::critreg_report;
+use crate::learner::{Inner, critreg_learner, problem, with_learner};
+use crate::pointer::{self, Output, OutputArray};
+use crate::region::critreg_region;
+use crate::status::{CRITREG_OK, Failure, Fallible, critreg_status, status_of};
+use crate::text;
+use core::ffi::{c_char, c_void};
+use core::fmt;
+use critreg_core::learn::{self, Answer, Learner as _, Problem, Query};
+
+/// What came of an action: CRITREG_FEASIBLE, or the number of the step of an
+/// action sequence that failed, counted from one.
+pub type critreg_outcome = i32;
+
+/// The action worked.
+pub const CRITREG_FEASIBLE: critreg_outcome = 0;
+/// The action failed; in a sequence of actions, the first one did. Failures of
+/// later steps are 2, 3 and so on.
+pub const CRITREG_INFEASIBLE: critreg_outcome = 1;
+
+/// Whatever can tell whether an action works: a simulator, a motion planner, a
+/// robot.
+///
+/// It must return: no longjmp(), no C++ exception may leave it. It may not touch
+/// the memory of the learner, nor call functions on it other than those that take
+/// it as const; the others return CRITREG_BUSY.
+///
+/// @param user_data What the program passed to critreg_learn_region().
+/// @param instance The instance: one number per attribute.
+/// @param theta The parameters to try: one number each.
+/// @param outcome Receives what came of it.
+/// @return CRITREG_OK if there is an outcome. Anything else stops learning and
+/// becomes the status of critreg_learn_region(): CRITREG_CANCELLED, or
+/// CRITREG_USER_STATUS and above. The sample then stays to be tried.
+pub type critreg_simulate = Option<
+    unsafe extern "C" fn(
+        user_data: *mut c_void,
+        instance: *const f64,
+        theta: *const f64,
+        outcome: *mut critreg_outcome,
+    ) -> critreg_status,
+>;
+
+/// Learns a region by trying samples with a simulator until the learner has
+/// nothing more to ask. It is the loop critreg_ask(), simulate(), critreg_tell().
+///
+/// ```c
+/// static uint64_t memory[CRITREG_LEARNER_WORDS(4096, 256)];
+/// critreg_learner *learner;
+/// const critreg_region *region;
+/// char text[512];
+///
+/// if (critreg_learner_init(memory, sizeof memory, DOMAIN, NULL, &learner) == CRITREG_OK
+///     && critreg_learn_region(learner, instances, 4, try_grasp, NULL, &region) == CRITREG_OK
+///     && critreg_region_format(region, text, sizeof text, NULL) == CRITREG_OK)
+///     puts(text);
+/// ```
+///
+/// If it was stopped, call it again to go on; it begins with the sample that was
+/// not told. If learning is finished, it only returns the region.
+///
+/// @param learner The learner.
+/// @param instances The problem instances, one behind the other: count times one
+/// number per attribute. They must be the same in all calls until learning is
+/// finished.
+/// @param count How many instances there are, at least one.
+/// @param simulate Tries a sample.
+/// @param user_data Passed to simulate.
+/// @param region NULL, or receives the region; it is valid as the one of
+/// critreg_learner_region() is.
+/// @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
+/// there is no room for another observation (critreg_learner_region() still has
+/// what was learned); the status of a callback that was not CRITREG_OK;
+/// CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative or was
+/// not written; CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
+/// if the instances changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER,
+/// CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learn_region(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    simulate: critreg_simulate,
+    user_data: *mut c_void,
+    region: *mut *const critreg_region,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let simulate = simulate.ok_or(Failure::Null("simulate"))?;
+            if !region.is_null() {
+                pointer::check(region, "region")?;
+            }
+            let problem = problem(handle, instances, count)?;
+            inner.retire_region();
+            while !inner.learner.is_finished() {
+                let query = inner.learner.ask(&problem)?;
+                let instance = problem.instance(query.instance)?;
+                let mut outcome: critreg_outcome = -1;
+                let status = simulate(
+                    user_data,
+                    instance.as_ptr(),
+                    query.theta.as_ptr(),
+                    &mut outcome,
+                );
+                stop_unless_ok(status, "simulate")?;
+                inner.learner.tell(&problem, answer(outcome)?)?;
+                handle.publish(inner);
+                let report = handle.report.get();
+                if let Some(progress) = inner.progress {
+                    stop_unless_ok(progress(inner.progress_data, &report), "progress")?;
+                }
+            }
+            let learned = give_region(handle, inner)?;
+            if !region.is_null() {
+                region.write(learned);
+            }
+            Ok(())
+        })
+    }
+}
+
+fn stop_unless_ok(status: critreg_status, callback: &'static str) -> Fallible {
+    if status == CRITREG_OK {
+        Ok(())
+    } else {
+        Err(Failure::Stopped(status, callback))
+    }
+}
+
+fn answer(outcome: critreg_outcome) -> Fallible<Answer> {
+    match u32::try_from(outcome) {
+        Ok(0) => Ok(Answer::Feasible),
+        Ok(step) => Ok(Answer::FailedStep(step)),
+        Err(_) => Err(Failure::invalid("the outcome is negative or was not set")),
+    }
+}
+
+/// Copies the learned region into its handle. The copy is what makes the handle
+/// refer to no memory that the learner writes to.
+fn give_region(handle: &critreg_learner, inner: &mut Inner) -> Fallible<*const critreg_region> {
+    let region = inner.learner.region()?.clone();
+    // SAFETY: the region's part is reserved for the handle; the header forbids to
+    // use the handle while a function runs that may change the learner.
+    unsafe { critreg_region::put(inner.region, handle.domain, region) };
+    Ok(inner.region)
+}
+
+/// Tells which sample to try next. Asking again before telling gives the same one.
+///
+/// ```c
+/// int32_t finished = 0;
+/// while (critreg_is_finished(learner, &finished) == CRITREG_OK && !finished) {
+///     size_t instance;
+///     double theta[2];
+///     critreg_outcome outcome;
+///     CHECK(critreg_ask(learner, instances, count, &instance, theta));
+///     outcome = try_on_the_robot(instance, theta);
+///     CHECK(critreg_tell(learner, instances, count, outcome));
+/// }
+/// ```
+///
+/// @param learner The learner.
+/// @param instances The problem instances, as for critreg_learn_region(). They are
+/// checked in every call.
+/// @param count How many there are.
+/// @param instance Receives the index of the instance to try it in.
+/// @param theta Receives the parameters: one number each.
+/// @return CRITREG_OUT_OF_SEQUENCE if learning is finished; CRITREG_MISMATCH if
+/// the instances changed; CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
+/// CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_ask(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    instance: *mut usize,
+    theta: *mut f64,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let index = Output::new(instance, "instance")?;
+            let parameters = OutputArray::new(theta, "theta")?;
+            let Query { instance, theta } =
+                inner.learner.ask(&problem(handle, instances, count)?)?;
+            index.write(instance);
+            let used = theta.get(..handle.domain.parameters().len());
+            parameters.write(used.unwrap_or(&[]));
+            Ok(())
+        })
+    }
+}
+
+/// Tells the learner what came of the sample it asked for. If this fails, the
+/// sample is still to be told.
+///
+/// @param learner The learner.
+/// @param instances The problem instances, as for critreg_ask().
+/// @param count How many there are.
+/// @param outcome What came of the sample.
+/// @return CRITREG_OUT_OF_SEQUENCE if nothing was asked; CRITREG_CAPACITY_EXCEEDED
+/// if there is no room for another observation; CRITREG_INVALID_ARGUMENT for a
+/// negative outcome; and as critreg_ask().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_tell(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    outcome: critreg_outcome,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let answer = answer(outcome)?;
+            let problem: Problem<'_> = problem(handle, instances, count)?;
+            inner.learner.tell(&problem, answer)?;
+            inner.retire_region();
+            Ok(())
+        })
+    }
+}
+
+/// Whether there is nothing more to ask.
+///
+/// @param learner The learner; may be called from its callbacks.
+/// @param finished Receives 1 or 0.
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_is_finished(
+    learner: *const critreg_learner,
+    finished: *mut i32,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise.
+    let answer = unsafe { critreg_learner::open(learner) }.and_then(|handle| {
+        // SAFETY: as above.
+        let output = unsafe { Output::new(finished, "finished")? };
+        output.write(i32::from(handle.finished.get()));
+        Ok(())
+    });
+    status_of(answer)
+}
+
+/// What is learned so far.
+///
+/// @param learner The learner.
+/// @param region Receives the region. It belongs to the learner and is valid until
+/// the next call of critreg_learn_region(), critreg_tell() or
+/// critreg_learner_resume() on it; after that using it gives
+/// CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own.
+/// @return CRITREG_NO_REGION if no constraint explains the observations;
+/// CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_region(
+    learner: *mut critreg_learner,
+    region: *mut *const critreg_region,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let output = Output::new(region, "region")?;
+            output.write(give_region(handle, inner)?);
+            Ok(())
+        })
+    }
+}
+
+/// How learning went so far.
+///
+/// @param learner The learner; may be called from its callbacks.
+/// @param report A report from critreg_report_init(), to be filled.
+/// @return CRITREG_INVALID_ARGUMENT if the report was not initialised;
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_report(
+    learner: *const critreg_learner,
+    report: *mut critreg_report,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        let handle = critreg_learner::open(learner);
+        status_of(handle.and_then(|handle| handle.report.get().write_to(report)))
+    }
+}
+
+struct Message(Option<Failure>);
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.map_or(Ok(()), |failure| failure.fmt(f))
+    }
+}
+
+/// Why the last call on this learner failed that did fail, in words; an empty text
+/// if none did. Calls that take the learner as const, and refusals with
+/// CRITREG_BUSY or CRITREG_NOT_A_HANDLE, leave no words.
+///
+/// @param learner The learner; may be called from its callbacks.
+/// @param text Receives the words, ended by NUL; 128 bytes are always enough.
+/// @param len Length of text in bytes; 0 to ask for the length only.
+/// @param needed NULL, or receives the length of the words with their NUL, also
+/// if the buffer is too small.
+/// @return CRITREG_TOO_SMALL (nothing but needed is written);
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_message(
+    learner: *const critreg_learner,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        let handle = critreg_learner::open(learner);
+        status_of(
+            handle
+                .and_then(|handle| text::write(&Message(handle.message.get()), text, len, needed)),
+        )
+    }
+}
+
+/// Saves what a learner was told, so that a run can be resumed: versioned,
+/// checksummed, the same on every machine. A sample that was asked for but not
+/// told is asked for again after resuming.
+///
+/// @param learner The learner.
+/// @param instances The problem instances, as for critreg_ask().
+/// @param count How many there are.
+/// @param bytes Receives the bytes.
+/// @param len Length of bytes; 0 to ask for the length only.
+/// @param needed NULL, or receives how many bytes it takes, also if the buffer is
+/// too small.
+/// @return CRITREG_TOO_SMALL (nothing but needed is written);
+/// CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_save(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    bytes: *mut u8,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let problem = problem(handle, instances, count)?;
+            let length = learn::saved_len(&inner.learner, &problem);
+            text::write_bytes(length, bytes, len, needed, |bytes| {
+                Ok(learn::save(&inner.learner, &problem, bytes)?)
+            })
+        })
+    }
+}
+
+/// Brings a fresh learner to the state that critreg_learner_save() wrote, by
+/// replaying what was told.
+///
+/// @param learner A learner that was just made, with the domain, configuration and
+/// number of hypotheses of the saved one.
+/// @param instances The instances of the saved run.
+/// @param count How many there are.
+/// @param bytes The saved bytes.
+/// @param len How many there are.
+/// @return CRITREG_CORRUPT for damaged bytes; CRITREG_MISMATCH if they belong to
+/// another domain, instances, configuration or number of hypotheses;
+/// CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_CAPACITY_EXCEEDED
+/// if there is no room for all observations: in all these cases nothing is told;
+/// CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_resume(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    bytes: *const u8,
+    len: usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let problem = problem(handle, instances, count)?;
+            let bytes = pointer::slice(bytes, len, "bytes")?;
+            inner.retire_region();
+            Ok(learn::resume(&mut inner.learner, &problem, bytes)?)
+        })
+    }
+}

@@ -1,0 +1,265 @@
+//! How much memory a handle takes, and where its parts lie in it. One plan
+//! answers the question for the size and cuts the memory up.
+
+use crate::learner::critreg_learner;
+use crate::region::critreg_region;
+use crate::status::{Failure, Fallible};
+use core::marker::PhantomData;
+use critreg_core::domain::{Domain, MAX_PARAMETERS, Node};
+use critreg_core::grammar::MAX_CONSTRAINTS;
+use critreg_core::learn::{Bounds, Capacity, Observation};
+
+/// Longest domain text in bytes, with its NUL.
+pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
+
+/// Bytes of a learner that do not depend on its capacity, on a machine with
+/// pointers of 32 bits; for CRITREG_LEARNER_WORDS.
+pub const CRITREG_LEARNER_FIXED_BYTES: usize = 20_480;
+
+/// Bytes of a region, on a machine with pointers of 32 bits; for
+/// CRITREG_REGION_WORDS.
+pub const CRITREG_REGION_FIXED_BYTES: usize = 10_240;
+
+/// Pointers in a handle, which take more room on a machine with longer ones; for
+/// CRITREG_LEARNER_WORDS and CRITREG_REGION_WORDS.
+pub const CRITREG_HANDLE_POINTERS: usize = 512;
+
+/// Bytes of a sample that was told; for CRITREG_LEARNER_WORDS.
+pub const CRITREG_OBSERVATION_BYTES: usize = 56;
+
+/// Most parameters of an action: an array for theta of this length fits every
+/// domain.
+pub const CRITREG_MAX_PARAMETERS: usize = 6;
+
+/// Most constraints of a region.
+pub const CRITREG_MAX_CONSTRAINTS: usize = 32;
+
+/// Most intervals that critreg_region_intervals() can find.
+pub const CRITREG_MAX_INTERVALS: usize = 66;
+
+const _: () = assert!(CRITREG_OBSERVATION_BYTES == size_of::<Observation>());
+const _: () = assert!(CRITREG_MAX_PARAMETERS == MAX_PARAMETERS);
+const _: () = assert!(CRITREG_MAX_CONSTRAINTS == MAX_CONSTRAINTS);
+// Two ends for each constraint, and those of the parameter's range.
+const _: () = assert!(CRITREG_MAX_INTERVALS == 2 * MAX_CONSTRAINTS + 2);
+
+/// Alignment of all handles: memory made of `uint64_t` always fits.
+pub(crate) const ALIGNMENT: usize = align_of::<u64>();
+
+/// Some values of one type at their place in a plan.
+pub(crate) struct Part<T> {
+    offset: usize,
+    count: usize,
+    kind: PhantomData<T>,
+}
+
+impl<T> Part<T> {
+    /// Where the first value lies.
+    ///
+    /// # Safety
+    /// `memory` is aligned to [`ALIGNMENT`] and as long as the plan that the part
+    /// belongs to.
+    pub(crate) unsafe fn place(&self, memory: *mut u8) -> *mut T {
+        // SAFETY: the plan put the part inside of the memory.
+        unsafe { memory.add(self.offset).cast() }
+    }
+
+    /// Fills the part and lends it.
+    ///
+    /// # Safety
+    /// As for [`Part::place`]; and nothing else refers to the part while what is
+    /// returned is used.
+    pub(crate) unsafe fn fill(&self, memory: *mut u8, value: T) -> &'static mut [T]
+    where
+        T: Copy,
+    {
+        // SAFETY: `count` values fit at the place, which is aligned for them.
+        unsafe {
+            let first = self.place(memory);
+            for index in 0..self.count {
+                first.add(index).write(value);
+            }
+            core::slice::from_raw_parts_mut(first, self.count)
+        }
+    }
+}
+
+/// Counts bytes while parts are put one behind the other.
+struct Planner {
+    size: usize,
+}
+
+impl Planner {
+    /// Appends values; `None` if memory cannot be that long.
+    const fn append<T>(&mut self, count: usize) -> Option<Part<T>> {
+        const { assert!(align_of::<T>() <= ALIGNMENT) };
+        let Some(offset) = self.size.checked_next_multiple_of(align_of::<T>()) else {
+            return None;
+        };
+        let Some(bytes) = size_of::<T>().checked_mul(count) else {
+            return None;
+        };
+        match offset.checked_add(bytes) {
+            Some(end) if end <= isize::MAX as usize => self.size = end,
+            _ => return None,
+        }
+        Some(Part {
+            offset,
+            count,
+            kind: PhantomData,
+        })
+    }
+}
+
+/// Appends a part or leaves the function with `None` (`?` is not const).
+macro_rules! append {
+    ($planner:ident, $count:expr) => {
+        match $planner.append($count) {
+            Some(part) => part,
+            None => return None,
+        }
+    };
+}
+
+/// The parts of a region with memory of its own.
+pub(crate) struct RegionPlan {
+    pub(crate) handle: Part<critreg_region>,
+    pub(crate) domain: DomainPlan,
+    pub(crate) size: usize,
+}
+
+/// A domain and the text that it borrows its names from.
+pub(crate) struct DomainPlan {
+    domain: Part<Domain<'static>>,
+    text: Part<u8>,
+}
+
+impl DomainPlan {
+    const fn new(planner: &mut Planner) -> Option<DomainPlan> {
+        Some(DomainPlan {
+            domain: append!(planner, 1),
+            text: append!(planner, CRITREG_DOMAIN_TEXT_MAX),
+        })
+    }
+
+    /// Copies a text of less than [`CRITREG_DOMAIN_TEXT_MAX`] bytes and reads the
+    /// domain from the copy.
+    ///
+    /// # Safety
+    /// As for [`Part::fill`]; `text` does not lie in the memory.
+    pub(crate) unsafe fn put(
+        &self,
+        memory: *mut u8,
+        text: &str,
+    ) -> Fallible<&'static Domain<'static>> {
+        // SAFETY: by this function's contract; the two parts do not overlap, and
+        // after this function both are only read.
+        let (place, room) = unsafe { (self.domain.place(memory), self.text.fill(memory, 0)) };
+        for (slot, byte) in room.iter_mut().zip(text.bytes()) {
+            *slot = byte;
+        }
+        let copied = room.get(..text.len()).unwrap_or(&[]);
+        let copied = core::str::from_utf8(copied);
+        let copied = copied.map_err(|_| Failure::invalid("the text is not UTF-8"))?;
+        let domain = Domain::parse(copied)?;
+        // SAFETY: as above; a domain needs no drop, so what was there may be lost.
+        unsafe {
+            place.write(domain);
+            Ok(&*place)
+        }
+    }
+}
+
+impl RegionPlan {
+    pub(crate) const fn new() -> Option<RegionPlan> {
+        let mut planner = Planner { size: 0 };
+        let handle = append!(planner, 1);
+        let Some(domain) = DomainPlan::new(&mut planner) else {
+            return None;
+        };
+        Some(RegionPlan {
+            handle,
+            domain,
+            size: planner.size,
+        })
+    }
+}
+
+/// The parts of a learner.
+pub(crate) struct LearnerPlan {
+    pub(crate) handle: Part<critreg_learner>,
+    pub(crate) region: Part<critreg_region>,
+    pub(crate) domain: DomainPlan,
+    pub(crate) features: Part<Node>,
+    pub(crate) values: Part<f64>,
+    pub(crate) bounds: Part<Bounds<f64>>,
+    pub(crate) observations: Part<Observation>,
+    pub(crate) pairs: Part<u8>,
+    pub(crate) size: usize,
+}
+
+impl LearnerPlan {
+    pub(crate) const fn new(capacity: Capacity) -> Option<LearnerPlan> {
+        let mut planner = Planner { size: 0 };
+        let handle = append!(planner, 1);
+        let region = append!(planner, 1);
+        let Some(domain) = DomainPlan::new(&mut planner) else {
+            return None;
+        };
+        Some(LearnerPlan {
+            handle,
+            region,
+            domain,
+            features: append!(planner, capacity.features()),
+            values: append!(planner, capacity.features()),
+            bounds: append!(planner, capacity.lefts()),
+            observations: append!(planner, capacity.observations),
+            pairs: append!(planner, capacity.pairs()),
+            size: planner.size,
+        })
+    }
+
+    /// The most hypotheses, up to a number, for which there is room in so many
+    /// bytes.
+    pub(crate) fn most_hypotheses(bytes: usize, observations: usize, most: usize) -> usize {
+        let fits = |hypotheses| {
+            let capacity = Capacity {
+                hypotheses,
+                observations,
+            };
+            LearnerPlan::new(capacity).is_some_and(|plan| plan.size <= bytes)
+        };
+        let (mut enough, mut too_many) = (0, most.saturating_add(1));
+        while too_many.saturating_sub(enough) > 1 {
+            let middle = enough + (too_many - enough) / 2;
+            if fits(middle) {
+                enough = middle;
+            } else {
+                too_many = middle;
+            }
+        }
+        enough
+    }
+}
+
+// The macros of the header promise enough memory; on every target that is built.
+const _: () = {
+    const POINTERS: usize = CRITREG_HANDLE_POINTERS * size_of::<*const u8>();
+    let Some(region) = RegionPlan::new() else {
+        panic!()
+    };
+    assert!(CRITREG_REGION_FIXED_BYTES + POINTERS >= region.size);
+    let mut hypotheses = 4;
+    while hypotheses < 1 << 26 {
+        let capacity = Capacity {
+            hypotheses,
+            observations: 0,
+        };
+        let Some(learner) = LearnerPlan::new(capacity) else {
+            panic!()
+        };
+        let bytes = CRITREG_LEARNER_FIXED_BYTES + POINTERS + hypotheses / 2 * 3;
+        assert!(bytes >= learner.size);
+        hypotheses = hypotheses * 3 / 2 + 1;
+    }
+};

@@ -1,0 +1,1163 @@
+/**
+ * @file critreg.h
+ * Learns for which parameters an action works, and draws parameters that do.
+ *
+ * A planner names an action, some problem instances and a way to try the action.
+ * The library answers with a region: a few readable constraints such as
+ * "grasp.y <= 2.9 (zone.top - robot.radius)". From then on it draws parameters
+ * from the region, in any instance.
+ *
+ *     critreg_learner_init     a domain text and memory make a learner
+ *     critreg_learn_region     the learner tries samples and finds the region
+ *     critreg_region_format    the region as text
+ *     critreg_sample_region    parameters for the action, in an instance
+ *
+ * This file is the manual. It is generated from the library; do not edit it.
+ *
+ *
+ * MEMORY
+ *
+ * The library never allocates memory, and it keeps no pointer that is passed to
+ * it after the call returns, with two exceptions: the memory a learner or region
+ * was made in, and the progress callback of a learner with its data. Texts,
+ * configurations and manual samples are copied; instances are passed to every
+ * call that needs them.
+ *
+ * The memory of a learner or region belongs to it from its init, parse or load
+ * call until the program stops using the handle. In that time it must stay where
+ * it is and must not be written to or copied, because the handle in it refers to
+ * its own address. There is nothing to free: when the program is done with the
+ * handle, it may reuse the memory for anything.
+ *
+ * Buffers of one call must not overlap, except that inputs may overlap inputs.
+ *
+ *
+ * CALLS
+ *
+ * A function returns a status and writes its outputs only on success. Exceptions:
+ * functions that cannot fail return their answer (critreg_strerror(),
+ * critreg_rng_seed(), sizes); needed and count tell how much room is missing;
+ * critreg_check_domain() and critreg_check_region() write what is wrong; and a
+ * generator of random numbers moves on also if nothing was found.
+ *
+ * Arguments stand in this order: handle, inputs, user_data, outputs.
+ *
+ * Every pointer is checked for NULL and alignment, every length and every number
+ * for NaN and infinity. A handle is recognised by a seal in its memory. What C
+ * cannot check is the caller's promise: that a pointer points to as much as the
+ * function's description says, that texts end with NUL, that memory is not freed.
+ *
+ * A buffer for text or bytes comes with its length and with needed, which may be
+ * NULL. With a length of 0 the buffer may be NULL too; the call then tells the
+ * length needed and returns CRITREG_TOO_SMALL.
+ *
+ * Structs start with struct_size, which their init function sets. So a program
+ * compiled with an older header runs with a newer library, which then knows the
+ * rest of the struct only by its defaults. A library refuses a struct that is
+ * larger than the one it knows, with CRITREG_INVALID_ARGUMENT.
+ *
+ * A callback gets the user_data that was passed beside it. If it returns anything
+ * but CRITREG_OK, the call ends with that status, and the learner stays usable.
+ * While a callback runs, the learner that called it answers CRITREG_BUSY to all
+ * functions but those that take it as const.
+ *
+ *
+ * THREADS
+ *
+ * There is no global state. A function that takes a handle as const may run in
+ * several threads at once on the same handle, so a region can be shared; any
+ * other needs the handle for itself. A generator of random numbers belongs to
+ * one thread at a time.
+ *
+ *
+ * NUMBERS
+ *
+ * All numbers are double, angles are in radians, and lengths in whatever unit the
+ * domain text uses. An instance is one number per attribute of every object, in
+ * order of declaration; several instances stand one behind the other. A sample,
+ * theta, is one number per parameter, at most CRITREG_MAX_PARAMETERS.
+ * The same inputs and seed give the same results on every machine.
+ *
+ *
+ * THE DOMAIN TEXT
+ *
+ * It says what there is to know about an action: objects whose attributes make up
+ * an instance, constants, the parameters of the action, and points, of which those
+ * that move with a parameter are the heart of the matter:
+ *
+ *     object stick  { x: length, y: length, theta: angle }
+ *     object holder { x: length, y: length, theta: angle }
+ *     constant stick.width  = 3.0: length
+ *     constant holder.width = 0.3: length
+ *     constant robot.radius = 0.1: length
+ *     constant zone.top     = 3.0: length
+ *     parameter mu in [0, 1]
+ *     point grasp         = stick  + (mu * stick.width, 0)
+ *     point holder.centre = holder + (0.5 * holder.width, 0)
+ *
+ * The grammar, in EBNF:
+ *
+ *     domain    = { statement } ;                 (* "#" starts a comment *)
+ *     statement = type | object | constant | parameter | shape | point ;
+ *     type      = "type" name attributes ;
+ *     object    = "object" name ( attributes | { "," name } ":" name ) ;
+ *     attributes= "{" [ name ":" dimension { "," name ":" dimension } ] "}" ;
+ *     dimension = "length" | "angle" | "area" | "flag" | "none" ;
+ *     constant  = "constant" path "=" expr ":" dimension ;
+ *     parameter = "parameter" name "in" "[" expr "," expr "]" [ ":" dimension ] ;
+ *     shape     = "shape" name "=" ( "circle" "(" expr ")"
+ *                   | "rectangle" "(" expr "," expr ")" [ "centred" ] ) ;
+ *     point     = "point" path "=" frame [ "turned" turn ] [ "+" offset ] ;
+ *     frame     = "world" | path ;                (* object or earlier point *)
+ *     turn      = factor                          (* yaw *)
+ *               | "(" expr "," expr "," expr ")" ; (* yaw, pitch, roll *)
+ *     offset    = "(" expr "," expr [ "," expr ] ")" ;
+ *     expr      = term { ( "+" | "-" ) term } ;
+ *     term      = factor { "*" factor } ;
+ *     factor    = number | "pi" | path | "-" factor | "(" expr ")" | call ;
+ *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" )
+ *                   "(" path "," path ")"
+ *               | "area" "(" name ")" ;
+ *     path      = name { "." name } ;
+ *     name      = letter { letter | digit | "_" } ;
+ *
+ * An object with the attributes x and y (and z, theta or yaw, pitch, roll) is a
+ * point as well. An offset is along the axes of the frame, after the turn. The
+ * corner of a rectangle is its object's position unless it is centred; a shape
+ * adds the points left, right, bottom, top and, for rectangles, centre. Offsets,
+ * turns and sizes are made of numbers, constants, attributes and parameters. Only
+ * quantities of one dimension are added and compared.
+ *
+ * Limits: CRITREG_DOMAIN_TEXT_MAX bytes; 16 types, 64 attributes of types, 24
+ * objects, 255 numbers of an instance, 32 constants, 6 parameters, 32 points of
+ * which 6 depend on a parameter, 16 shapes.
+ *
+ *
+ * THE REGION TEXT
+ *
+ *     region     = conjunction { "or" conjunction } ;
+ *     conjunction= literal { "and" literal } ;
+ *     literal    = "not" literal | "true" | "(" region ")" | constraint ;
+ *     constraint = expr ( "<" | "<=" | ">=" | ">" ) expr [ "(" expr ")" ] ;
+ *
+ * Here an expr may also name the coordinates of points, as in grasp.y, and
+ * distances, angles and areas. The expression in brackets behind a constraint
+ * names its right side in words of the domain; it is kept and printed, and
+ * otherwise ignored. Limit: CRITREG_MAX_CONSTRAINTS constraints.
+ *
+ *
+ * LINKING
+ *
+ * Link with -lcritreg, and for the static library with -lpthread -ldl -lm too.
+ * Two static libraries that are both made with Rust clash in one program: then
+ * use the shared one. From C++, critreg.hpp wraps what follows.
+ */
+
+
+#ifndef CRITREG_H
+#define CRITREG_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/**
+ * How many uint64_t make the memory of a learner with room for so many hypotheses
+ * and observations, for static arrays; critreg_learner_size() tells the exact
+ * number of bytes. The arguments are evaluated once each.
+ *
+ *     static uint64_t memory[CRITREG_LEARNER_WORDS(4096, 256)];
+ */
+#define CRITREG_LEARNER_WORDS(hypotheses, observations)                        \
+    ((CRITREG_LEARNER_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)   \
+      + ((size_t)(hypotheses) / 2 + 1) * 3                                     \
+      + (size_t)(observations) * CRITREG_OBSERVATION_BYTES + 7) / 8)
+
+/**
+ * How many uint64_t make the memory of a region that belongs to no learner.
+ *
+ *     static uint64_t memory[CRITREG_REGION_WORDS];
+ */
+#define CRITREG_REGION_WORDS                                                   \
+    ((CRITREG_REGION_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)) / 8)
+
+/**
+ * The version of this interface. It changes when a program has to be compiled
+ * again; compare it with critreg_abi_version() when the library is loaded at
+ * run time.
+ */
+#define CRITREG_ABI_VERSION 0
+
+/**
+ * Longest domain text in bytes, with its NUL.
+ */
+#define CRITREG_DOMAIN_TEXT_MAX 2048
+
+/**
+ * Bytes of a learner that do not depend on its capacity, on a machine with
+ * pointers of 32 bits; for CRITREG_LEARNER_WORDS.
+ */
+#define CRITREG_LEARNER_FIXED_BYTES 20480
+
+/**
+ * Bytes of a region, on a machine with pointers of 32 bits; for
+ * CRITREG_REGION_WORDS.
+ */
+#define CRITREG_REGION_FIXED_BYTES 10240
+
+/**
+ * Pointers in a handle, which take more room on a machine with longer ones; for
+ * CRITREG_LEARNER_WORDS and CRITREG_REGION_WORDS.
+ */
+#define CRITREG_HANDLE_POINTERS 512
+
+/**
+ * Bytes of a sample that was told; for CRITREG_LEARNER_WORDS.
+ */
+#define CRITREG_OBSERVATION_BYTES 56
+
+/**
+ * Most parameters of an action: an array for theta of this length fits every
+ * domain.
+ */
+#define CRITREG_MAX_PARAMETERS 6
+
+/**
+ * Most constraints of a region.
+ */
+#define CRITREG_MAX_CONSTRAINTS 32
+
+/**
+ * Most intervals that critreg_region_intervals() can find.
+ */
+#define CRITREG_MAX_INTERVALS 66
+
+/**
+ * For critreg_config.learner: the learner of the thesis (Algorithm 1, 4.3). It
+ * prunes hypotheses "left comparison right". It is the baseline and it is
+ * fragile: often it learns nothing, and says so with CRITREG_NO_REGION.
+ */
+#define CRITREG_ALGORITHM1 1
+
+/**
+ * Observations a learner has room for unless the configuration tells: this many,
+ * or iterations + 2 if that is more.
+ */
+#define CRITREG_DEFAULT_OBSERVATIONS 256
+
+/**
+ * Most hypotheses that a learner takes without being told how many.
+ */
+#define CRITREG_MAX_DEFAULT_HYPOTHESES (1 << 24)
+
+/**
+ * In a critreg_report: this did not happen (yet).
+ */
+#define CRITREG_NOT_RUN UINT64_MAX
+
+/**
+ * Option of the stick-button environment: robot and stick can turn, and lie at
+ * any angle in new tasks. Without it all angles are pi/2, as in the thesis.
+ */
+#define CRITREG_STICK_BUTTON_ANGLES 1
+
+/**
+ * A learner. It lies at the start of the memory it was made in.
+ */
+typedef struct critreg_learner critreg_learner;
+
+/**
+ * A region: the parameters with which an action is expected to work, as
+ * constraints over a domain. It knows its domain. It either belongs to a learner
+ * or lies at the start of the memory it was made in.
+ */
+typedef struct critreg_region critreg_region;
+
+/**
+ * What became of a call: CRITREG_OK, one of the codes below, or the status of
+ * the program's own callback.
+ */
+typedef int32_t critreg_status;
+
+/**
+ * How learning went so far. Counts of hypotheses count every comparison of two
+ * features on its own.
+ */
+typedef struct critreg_report {
+    /**
+     * Size of this struct in bytes, from critreg_report_init().
+     */
+    uint32_t struct_size;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
+    /**
+     * Hypotheses that the grammar makes of the domain.
+     */
+    uint64_t enumerated;
+    /**
+     * Those the learner started with.
+     */
+    uint64_t kept;
+    /**
+     * Those that found no room in the memory: the most complex ones.
+     */
+    uint64_t left_out;
+    /**
+     * Hypotheses left after the negative sample, or CRITREG_NOT_RUN.
+     */
+    uint64_t after_negative;
+    /**
+     * Hypotheses left after the positive sample, or CRITREG_NOT_RUN.
+     */
+    uint64_t after_positive;
+    /**
+     * Hypotheses left now.
+     */
+    uint64_t remaining;
+    /**
+     * Samples told: calls of the simulator.
+     */
+    uint64_t calls;
+    /**
+     * Samples told that were feasible.
+     */
+    uint64_t feasible;
+    /**
+     * Constraints that found no room in the region.
+     */
+    uint64_t constraints_left_out;
+} critreg_report;
+
+/**
+ * Called by critreg_learn_region() after every sample.
+ *
+ * @param progress_data That of the configuration.
+ * @param report How learning went so far; valid until the callback returns.
+ * @return CRITREG_OK to go on. Anything else stops learning and becomes the
+ * status of critreg_learn_region(): CRITREG_CANCELLED, or CRITREG_USER_STATUS
+ * and above. What was learned so far stays, and learning can go on later.
+ */
+typedef critreg_status (*critreg_progress)(void *progress_data,
+                                           const struct critreg_report *report);
+
+/**
+ * What a learner does. Fill it with critreg_config_init() and change what you
+ * like. Nothing in it is kept after critreg_learner_init() returns, except the
+ * progress callback and its data.
+ */
+typedef struct critreg_config {
+    /**
+     * Size of this struct in bytes, from critreg_config_init().
+     */
+    uint32_t struct_size;
+    /**
+     * Which learner: CRITREG_ALGORITHM1.
+     */
+    uint32_t learner;
+    /**
+     * Seed of all random choices. Default 0. The same seed, domain, instances,
+     * capacities and answers give the same region on every machine.
+     */
+    uint64_t seed;
+    /**
+     * Hypotheses to have room for: each takes a quarter of a byte, and 1.25 bytes
+     * for its features. More reach more complex constraints and take more time
+     * per sample. Default 0: what the memory has room for.
+     */
+    uint32_t hypotheses;
+    /**
+     * Samples to have room for, 56 bytes each. When they are used up, telling
+     * returns CRITREG_CAPACITY_EXCEEDED. Default 0: CRITREG_DEFAULT_OBSERVATIONS,
+     * or iterations + 2 if that is more.
+     */
+    uint32_t observations;
+    /**
+     * Samples that the learner draws itself (K of the thesis). Default 100.
+     */
+    uint32_t iterations;
+    /**
+     * Must be 0.
+     */
+    uint32_t reserved;
+    /**
+     * Parameters that are expected to fail (z- of the thesis), tried first in the
+     * first instance: one number per parameter of the domain, within its range.
+     * Copied. Default NULL: not tried.
+     */
+    const double *negative;
+    /**
+     * Parameters that are expected to work (z+ of the thesis), tried next in the
+     * first instance. Copied. Default NULL: not tried.
+     */
+    const double *positive;
+    /**
+     * Called after every sample that critreg_learn_region() tries. Default NULL.
+     */
+    critreg_progress progress;
+    /**
+     * Passed to the progress callback. Default NULL.
+     */
+    void *progress_data;
+} critreg_config;
+
+/**
+ * What came of an action: CRITREG_FEASIBLE, or the number of the step of an
+ * action sequence that failed, counted from one.
+ */
+typedef int32_t critreg_outcome;
+
+/**
+ * Whatever can tell whether an action works: a simulator, a motion planner, a
+ * robot.
+ *
+ * It must return: no longjmp(), no C++ exception may leave it. It may not touch
+ * the memory of the learner, nor call functions on it other than those that take
+ * it as const; the others return CRITREG_BUSY.
+ *
+ * @param user_data What the program passed to critreg_learn_region().
+ * @param instance The instance: one number per attribute.
+ * @param theta The parameters to try: one number each.
+ * @param outcome Receives what came of it.
+ * @return CRITREG_OK if there is an outcome. Anything else stops learning and
+ * becomes the status of critreg_learn_region(): CRITREG_CANCELLED, or
+ * CRITREG_USER_STATUS and above. The sample then stays to be tried.
+ */
+typedef critreg_status (*critreg_simulate)(void *user_data,
+                                           const double *instance,
+                                           const double *theta,
+                                           critreg_outcome *outcome);
+
+/**
+ * A generator of random numbers (PCG XSH-RR 64/32): the same stream on every
+ * machine. Copy it freely: a copy goes on with the same numbers. Do not store it
+ * across versions of the library; store the seed. One that is all zero is that
+ * of seed 0.
+ */
+typedef struct critreg_rng {
+    /**
+     * Opaque.
+     */
+    uint64_t state[2];
+} critreg_rng;
+
+/**
+ * The call did what it promises.
+ */
+#define CRITREG_OK 0
+
+/**
+ * A pointer is NULL that must not be.
+ */
+#define CRITREG_NULL_POINTER 1
+
+/**
+ * A pointer is not aligned for what it points to.
+ */
+#define CRITREG_MISALIGNED 2
+
+/**
+ * Memory, a buffer or an array is too small.
+ */
+#define CRITREG_TOO_SMALL 3
+
+/**
+ * An argument is outside of what the function accepts.
+ */
+#define CRITREG_INVALID_ARGUMENT 4
+
+/**
+ * A number is NaN or infinite.
+ */
+#define CRITREG_NOT_FINITE 5
+
+/**
+ * A text could not be read; critreg_check_domain() and critreg_check_region()
+ * tell the line, the column and what was expected.
+ */
+#define CRITREG_SYNTAX_ERROR 6
+
+/**
+ * A table of the library is full: too many objects, constraints, observations.
+ */
+#define CRITREG_CAPACITY_EXCEEDED 7
+
+/**
+ * It is proven that the region admits no parameters in this instance: drop the
+ * plan skeleton, or fall back on another sampler.
+ */
+#define CRITREG_EMPTY_REGION 8
+
+/**
+ * No parameters were found within the budget; the region may be empty.
+ */
+#define CRITREG_NO_SAMPLE 9
+
+/**
+ * The observations explain no region: nothing was learned.
+ */
+#define CRITREG_NO_REGION 10
+
+/**
+ * The call does not fit the state of the learner: telling before asking, asking
+ * after the end.
+ */
+#define CRITREG_OUT_OF_SEQUENCE 11
+
+/**
+ * Instances or saved bytes do not belong to this domain or configuration.
+ */
+#define CRITREG_MISMATCH 12
+
+/**
+ * Saved bytes are damaged, incomplete or of another version.
+ */
+#define CRITREG_CORRUPT 13
+
+/**
+ * A callback called back into the learner that is calling it.
+ */
+#define CRITREG_BUSY 14
+
+/**
+ * For callbacks: the program wants to stop. The library itself never returns it.
+ */
+#define CRITREG_CANCELLED 15
+
+/**
+ * The pointer is no handle, or no longer: the memory was overwritten, moved or
+ * copied, or the learner of a region went on.
+ */
+#define CRITREG_NOT_A_HANDLE 16
+
+/**
+ * From here on the codes belong to the program: a callback may return any of
+ * them and finds it again as the status of the call.
+ */
+#define CRITREG_USER_STATUS 1000
+
+/**
+ * The action worked.
+ */
+#define CRITREG_FEASIBLE 0
+
+/**
+ * The action failed; in a sequence of actions, the first one did. Failures of
+ * later steps are 2, 3 and so on.
+ */
+#define CRITREG_INFEASIBLE 1
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * The CRITREG_ABI_VERSION of the library that runs.
+ */
+uint32_t critreg_abi_version(void);
+
+/**
+ * What a status means, in a few words of English.
+ *
+ * @return A static text, never NULL, also for codes the library does not know.
+ */
+const char *critreg_strerror(critreg_status status);
+
+/**
+ * The name of a status as it stands in the header, such as "CRITREG_BUSY".
+ *
+ * @return A static text, never NULL: "CRITREG_USER_STATUS" for all codes of the
+ * program, "unknown" for what is no code.
+ */
+const char *critreg_status_name(critreg_status status);
+
+/**
+ * Fills a configuration with the defaults.
+ *
+ * @param config The configuration.
+ * @param size sizeof *config. It lets a program that was compiled with an older
+ * header run with a newer library: the library writes and reads no more.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_config_init(struct critreg_config *config, size_t size);
+
+/**
+ * Prepares a report for critreg_learner_report().
+ *
+ * @param report The report.
+ * @param size sizeof *report; see critreg_config_init().
+ * @return As critreg_config_init().
+ */
+critreg_status critreg_report_init(struct critreg_report *report, size_t size);
+
+/**
+ * How many bytes of memory a learner takes.
+ *
+ * Where the capacities are constants, CRITREG_LEARNER_WORDS() sizes a static
+ * array instead.
+ *
+ * @param hypotheses Hypotheses to have room for.
+ * @param observations Samples to have room for.
+ * @return The number of bytes; 0 if memory cannot be that large.
+ */
+size_t critreg_learner_size(uint32_t hypotheses, uint32_t observations);
+
+/**
+ * The alignment in bytes that the memory of a learner needs. An array of
+ * uint64_t and what malloc() returns have it.
+ */
+size_t critreg_learner_align(void);
+
+/**
+ * Makes a learner in memory of the program.
+ *
+ * The capacities come from the configuration. Where it leaves the number of
+ * hypotheses open, the learner takes as many as the memory has room for beside
+ * the observations, so that CRITREG_LEARNER_WORDS(4096, 256) words and a config
+ * of NULL make room for at least 4096 hypotheses and 256 samples. What is
+ * learned depends on the number of hypotheses; where the same result is wanted
+ * from memory of another size, set config.hypotheses.
+ *
+ * A learner needs no end: reuse its memory when you are done with it. What the
+ * memory held before does not matter.
+ *
+ * @param memory Memory for the learner, aligned to critreg_learner_align(). From
+ * now on it belongs to the learner: do not write to it, move it or copy it.
+ * @param memory_len Its length in bytes.
+ * @param domain What there is to know about the action, in the language of the
+ * domain text above, ended by NUL. Copied.
+ * @param config What the learner does; NULL for the defaults. Copied.
+ * @param learner Receives the handle, which lies at the start of the memory.
+ * @return CRITREG_TOO_SMALL if the memory is too short for the capacities;
+ * CRITREG_SYNTAX_ERROR (ask critreg_check_domain() where);
+ * CRITREG_CAPACITY_EXCEEDED if the text is longer than CRITREG_DOMAIN_TEXT_MAX
+ * or declares too many things; CRITREG_INVALID_ARGUMENT for a domain without
+ * parameters, a text that is not UTF-8, a wrong configuration or a manual sample
+ * outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual
+ * sample; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ */
+critreg_status critreg_learner_init(void *memory,
+                                    size_t memory_len,
+                                    const char *domain,
+                                    const struct critreg_config *config,
+                                    struct critreg_learner **learner);
+
+/**
+ * How many numbers an instance has: one per attribute of every object of the
+ * domain, in order of declaration.
+ *
+ * @param learner The learner.
+ * @param len Receives the number.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_instance_len(const struct critreg_learner *learner,
+                                            size_t *len);
+
+/**
+ * How many parameters the action has: the length of a sample.
+ *
+ * @param learner The learner.
+ * @param count Receives the number.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_parameter_count(const struct critreg_learner *learner,
+                                               size_t *count);
+
+/**
+ * Learns a region by trying samples with a simulator until the learner has
+ * nothing more to ask. It is the loop critreg_ask(), simulate(), critreg_tell().
+ *
+ * ```c
+ * static uint64_t memory[CRITREG_LEARNER_WORDS(4096, 256)];
+ * critreg_learner *learner;
+ * const critreg_region *region;
+ * char text[512];
+ *
+ * if (critreg_learner_init(memory, sizeof memory, DOMAIN, NULL, &learner) == CRITREG_OK
+ *     && critreg_learn_region(learner, instances, 4, try_grasp, NULL, &region) == CRITREG_OK
+ *     && critreg_region_format(region, text, sizeof text, NULL) == CRITREG_OK)
+ *     puts(text);
+ * ```
+ *
+ * If it was stopped, call it again to go on; it begins with the sample that was
+ * not told. If learning is finished, it only returns the region.
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, one behind the other: count times one
+ * number per attribute. They must be the same in all calls until learning is
+ * finished.
+ * @param count How many instances there are, at least one.
+ * @param simulate Tries a sample.
+ * @param user_data Passed to simulate.
+ * @param region NULL, or receives the region; it is valid as the one of
+ * critreg_learner_region() is.
+ * @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
+ * there is no room for another observation (critreg_learner_region() still has
+ * what was learned); the status of a callback that was not CRITREG_OK;
+ * CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative or was
+ * not written; CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
+ * if the instances changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learn_region(struct critreg_learner *learner,
+                                    const double *instances,
+                                    size_t count,
+                                    critreg_simulate simulate,
+                                    void *user_data,
+                                    const struct critreg_region **region);
+
+/**
+ * Tells which sample to try next. Asking again before telling gives the same one.
+ *
+ * ```c
+ * int32_t finished = 0;
+ * while (critreg_is_finished(learner, &finished) == CRITREG_OK && !finished) {
+ *     size_t instance;
+ *     double theta[2];
+ *     critreg_outcome outcome;
+ *     CHECK(critreg_ask(learner, instances, count, &instance, theta));
+ *     outcome = try_on_the_robot(instance, theta);
+ *     CHECK(critreg_tell(learner, instances, count, outcome));
+ * }
+ * ```
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, as for critreg_learn_region(). They are
+ * checked in every call.
+ * @param count How many there are.
+ * @param instance Receives the index of the instance to try it in.
+ * @param theta Receives the parameters: one number each.
+ * @return CRITREG_OUT_OF_SEQUENCE if learning is finished; CRITREG_MISMATCH if
+ * the instances changed; CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
+ * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_ask(struct critreg_learner *learner,
+                           const double *instances,
+                           size_t count,
+                           size_t *instance,
+                           double *theta);
+
+/**
+ * Tells the learner what came of the sample it asked for. If this fails, the
+ * sample is still to be told.
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @param outcome What came of the sample.
+ * @return CRITREG_OUT_OF_SEQUENCE if nothing was asked; CRITREG_CAPACITY_EXCEEDED
+ * if there is no room for another observation; CRITREG_INVALID_ARGUMENT for a
+ * negative outcome; and as critreg_ask().
+ */
+critreg_status critreg_tell(struct critreg_learner *learner,
+                            const double *instances,
+                            size_t count,
+                            critreg_outcome outcome);
+
+/**
+ * Whether there is nothing more to ask.
+ *
+ * @param learner The learner; may be called from its callbacks.
+ * @param finished Receives 1 or 0.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_is_finished(const struct critreg_learner *learner,
+                                   int32_t *finished);
+
+/**
+ * What is learned so far.
+ *
+ * @param learner The learner.
+ * @param region Receives the region. It belongs to the learner and is valid until
+ * the next call of critreg_learn_region(), critreg_tell() or
+ * critreg_learner_resume() on it; after that using it gives
+ * CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own.
+ * @return CRITREG_NO_REGION if no constraint explains the observations;
+ * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_region(struct critreg_learner *learner,
+                                      const struct critreg_region **region);
+
+/**
+ * How learning went so far.
+ *
+ * @param learner The learner; may be called from its callbacks.
+ * @param report A report from critreg_report_init(), to be filled.
+ * @return CRITREG_INVALID_ARGUMENT if the report was not initialised;
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_report(const struct critreg_learner *learner,
+                                      struct critreg_report *report);
+
+/**
+ * Why the last call on this learner failed that did fail, in words; an empty text
+ * if none did. Calls that take the learner as const, and refusals with
+ * CRITREG_BUSY or CRITREG_NOT_A_HANDLE, leave no words.
+ *
+ * @param learner The learner; may be called from its callbacks.
+ * @param text Receives the words, ended by NUL; 128 bytes are always enough.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the words with their NUL, also
+ * if the buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written);
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_message(const struct critreg_learner *learner,
+                                       char *text,
+                                       size_t len,
+                                       size_t *needed);
+
+/**
+ * Saves what a learner was told, so that a run can be resumed: versioned,
+ * checksummed, the same on every machine. A sample that was asked for but not
+ * told is asked for again after resuming.
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @param bytes Receives the bytes.
+ * @param len Length of bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives how many bytes it takes, also if the buffer is
+ * too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written);
+ * CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_save(struct critreg_learner *learner,
+                                    const double *instances,
+                                    size_t count,
+                                    uint8_t *bytes,
+                                    size_t len,
+                                    size_t *needed);
+
+/**
+ * Brings a fresh learner to the state that critreg_learner_save() wrote, by
+ * replaying what was told.
+ *
+ * @param learner A learner that was just made, with the domain, configuration and
+ * number of hypotheses of the saved one.
+ * @param instances The instances of the saved run.
+ * @param count How many there are.
+ * @param bytes The saved bytes.
+ * @param len How many there are.
+ * @return CRITREG_CORRUPT for damaged bytes; CRITREG_MISMATCH if they belong to
+ * another domain, instances, configuration or number of hypotheses;
+ * CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_CAPACITY_EXCEEDED
+ * if there is no room for all observations: in all these cases nothing is told;
+ * CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_resume(struct critreg_learner *learner,
+                                      const double *instances,
+                                      size_t count,
+                                      const uint8_t *bytes,
+                                      size_t len);
+
+/**
+ * How many bytes of memory a region takes that does not belong to a learner.
+ * CRITREG_REGION_WORDS sizes a static array.
+ */
+size_t critreg_region_size(void);
+
+/**
+ * The alignment in bytes that the memory of a region needs. An array of uint64_t
+ * and what malloc() returns have it.
+ */
+size_t critreg_region_align(void);
+
+/**
+ * Makes a region from its text, in memory of the program.
+ *
+ * ```c
+ * static uint64_t memory[CRITREG_REGION_WORDS];
+ * critreg_region *region;
+ * status = critreg_region_parse(memory, sizeof memory, DOMAIN,
+ *                               "grasp.y <= zone.top - robot.radius", &region);
+ * ```
+ *
+ * @param memory Memory for the region, aligned to critreg_region_align(). From
+ * now on it belongs to the region: do not write to it, move it or copy it.
+ * @param memory_len Its length in bytes, at least critreg_region_size().
+ * @param domain The domain text, ended by NUL. Copied.
+ * @param text The region text, ended by NUL. Copied.
+ * @param region Receives the handle, which lies at the start of the memory.
+ * @return CRITREG_TOO_SMALL; CRITREG_SYNTAX_ERROR (ask critreg_check_region()
+ * where); CRITREG_CAPACITY_EXCEEDED if a text is too long or has too many parts;
+ * CRITREG_INVALID_ARGUMENT if one is not UTF-8; CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_region_parse(void *memory,
+                                    size_t memory_len,
+                                    const char *domain,
+                                    const char *text,
+                                    struct critreg_region **region);
+
+/**
+ * Makes a region from bytes that critreg_region_save() wrote, in memory of the
+ * program.
+ *
+ * @param memory Memory for the region, as for critreg_region_parse().
+ * @param memory_len Its length in bytes, at least critreg_region_size().
+ * @param bytes The saved bytes.
+ * @param len How many there are.
+ * @param region Receives the handle, which lies at the start of the memory.
+ * @return CRITREG_CORRUPT if the bytes are damaged, incomplete or of an unknown
+ * version; and as critreg_region_parse().
+ */
+critreg_status critreg_region_load(void *memory,
+                                   size_t memory_len,
+                                   const uint8_t *bytes,
+                                   size_t len,
+                                   struct critreg_region **region);
+
+/**
+ * Writes a region with its domain as bytes: versioned, checksummed, the same on
+ * every machine.
+ *
+ * @param region The region.
+ * @param bytes Receives the bytes.
+ * @param len Length of bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives how many bytes the region takes, also if the
+ * buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written);
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_save(const struct critreg_region *region,
+                                   uint8_t *bytes,
+                                   size_t len,
+                                   size_t *needed);
+
+/**
+ * Writes a region as text. Reading that text with the same domain gives the same
+ * region.
+ *
+ * @param region The region.
+ * @param text Receives the text, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if
+ * the buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written);
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_format(const struct critreg_region *region,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
+
+/**
+ * How many numbers an instance has: one per attribute of every object of the
+ * domain, in order of declaration.
+ *
+ * @param region The region.
+ * @param len Receives the number.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_instance_len(const struct critreg_region *region,
+                                           size_t *len);
+
+/**
+ * How many parameters the action has.
+ *
+ * @param region The region.
+ * @param count Receives the number.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_parameter_count(const struct critreg_region *region,
+                                              size_t *count);
+
+/**
+ * Whether an action with these parameters is expected to work.
+ *
+ * @param region The region.
+ * @param instance The instance: one number per attribute.
+ * @param theta The parameters: one number each. Outside of their ranges they
+ * are not inside of any region.
+ * @param inside Receives 1 or 0.
+ * @return CRITREG_NOT_FINITE for a number of the instance or of theta;
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_contains(const struct critreg_region *region,
+                                       const double *instance,
+                                       const double *theta,
+                                       int32_t *inside);
+
+/**
+ * The exact set of values that the region admits for the only parameter of an
+ * action, as sorted intervals that do not touch.
+ *
+ * Whether the ends belong to the set, which depends on < and <= in the
+ * constraints, is not told: no sampler can notice. Where a constraint has no
+ * closed form (a turn by the parameter, a sum of two distances) the set is too
+ * large rather than too small; critreg_sample_region() is right all the same.
+ *
+ * @param region The region of an action with one parameter.
+ * @param instance The instance: one number per attribute.
+ * @param ends Receives lower and upper end of each interval: 2 * capacity
+ * numbers. NULL if capacity is 0.
+ * @param capacity How many intervals there is room for.
+ * @param count Receives how many intervals there are, also if they are more than
+ * capacity; 0 for an empty set.
+ * @return CRITREG_TOO_SMALL if there are more than capacity (nothing but count is
+ * written); CRITREG_INVALID_ARGUMENT unless the action has one parameter;
+ * CRITREG_NOT_FINITE, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_intervals(const struct critreg_region *region,
+                                        const double *instance,
+                                        double *ends,
+                                        size_t capacity,
+                                        size_t *count);
+
+/**
+ * Whether it is proven that the region admits no parameters in an instance. With
+ * one parameter the answer is exact; with several, 0 may mean that no proof was
+ * found.
+ *
+ * @param region The region.
+ * @param instance The instance: one number per attribute.
+ * @param empty Receives 1 or 0.
+ * @return CRITREG_NOT_FINITE, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_is_empty(const struct critreg_region *region,
+                                       const double *instance,
+                                       int32_t *empty);
+
+/**
+ * Draws parameters from the region in an instance. This is what a planner calls.
+ *
+ * One parameter: uniform over the exact intervals. Several: uniform by rejection;
+ * if the region is small, by hit-and-run, which tends to uniform. What comes back
+ * always satisfies critreg_region_contains().
+ *
+ * ```c
+ * critreg_rng rng = critreg_rng_seed(7);
+ * double theta[1];
+ * switch (critreg_sample_region(region, instance, &rng, theta)) {
+ * case CRITREG_OK:           return try_action(theta);
+ * case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+ * default:                   return try_action_with_any_parameters();
+ * }
+ * ```
+ *
+ * @param region The region.
+ * @param instance The instance: one number per attribute.
+ * @param rng The generator, which moves on, also if no parameters are found.
+ * @param theta Receives the parameters: one number each.
+ * @return CRITREG_EMPTY_REGION if it is proven that there are none,
+ * CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_NOT_FINITE,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_sample_region(const struct critreg_region *region,
+                                     const double *instance,
+                                     struct critreg_rng *rng,
+                                     double *theta);
+
+/**
+ * A generator with this seed.
+ */
+struct critreg_rng critreg_rng_seed(uint64_t seed);
+
+/**
+ * Draws a number uniform in [0, 1).
+ *
+ * @param rng The generator, which moves on.
+ * @param number Receives the number.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ */
+critreg_status critreg_rng_uniform(struct critreg_rng *rng, double *number);
+
+/**
+ * Reads a domain text and says what is wrong with it, such as
+ * "line 3, column 7: unknown object".
+ *
+ * @param domain The domain text, ended by NUL.
+ * @param text Receives the words, ended by NUL: an empty text if all is well.
+ * They are written also if the check fails, which is what they are for, and cut
+ * off where the buffer ends. 128 bytes are always enough.
+ * @param len Length of text in bytes; 0 if the words are not wanted.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_OK if the text is a domain; CRITREG_SYNTAX_ERROR; CRITREG_CAPACITY_EXCEEDED if it is
+ * longer than CRITREG_DOMAIN_TEXT_MAX or declares too many things;
+ * CRITREG_INVALID_ARGUMENT if it is not UTF-8; CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_check_domain(const char *domain,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
+
+/**
+ * Reads a region text and says what is wrong with it.
+ *
+ * @param domain The domain text that the region speaks about, ended by NUL.
+ * @param region_text The region text, ended by NUL.
+ * @param text Receives the words, as for critreg_check_domain(). If the domain
+ * text is wrong, they are about that.
+ * @param len Length of text in bytes; 0 if the words are not wanted.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_OK if critreg_region_parse() would accept both texts, else as
+ * critreg_check_domain().
+ */
+critreg_status critreg_check_region(const char *domain,
+                                    const char *region_text,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
+
+/**
+ * The domain text of picking the stick with one button on the table, the action
+ * PickStickFromNothing of the thesis. Its one parameter is mu, the place of the
+ * grasp along the stick, from 0 to 1.
+ *
+ * @return A static text, never NULL.
+ */
+const char *critreg_stick_button_domain(void);
+
+/**
+ * How many numbers an instance has: robot x, y, theta; stick x, y, theta, held;
+ * holder x, y, theta; button x, y, pressed. Lengths are in units of the table
+ * (10 by 6), angles in radians.
+ */
+size_t critreg_stick_button_instance_len(void);
+
+/**
+ * Draws a random task with one button and writes its initial state.
+ *
+ * @param seed Every seed gives one task, the same on every machine.
+ * @param options 0 or CRITREG_STICK_BUTTON_ANGLES.
+ * @param instance Receives the instance.
+ * @param len Length of instance in numbers, at least
+ * critreg_stick_button_instance_len().
+ * @return CRITREG_TOO_SMALL; CRITREG_INVALID_ARGUMENT for unknown options;
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ */
+critreg_status critreg_stick_button_task(uint64_t seed,
+                                         uint32_t options,
+                                         double *instance,
+                                         size_t len);
+
+/**
+ * Tries to pick the stick: a critreg_simulate to pass to critreg_learn_region().
+ * It rolls the controller out, at most 50 steps of the environment.
+ *
+ * @param user_data NULL, or a pointer to a uint32_t with options: 0 or
+ * CRITREG_STICK_BUTTON_ANGLES. It is only read.
+ * @param instance The instance: critreg_stick_button_instance_len() numbers.
+ * @param theta The parameter mu.
+ * @param outcome Receives CRITREG_FEASIBLE or CRITREG_INFEASIBLE.
+ * @return CRITREG_NOT_FINITE for a number of the instance or for mu;
+ * CRITREG_INVALID_ARGUMENT for unknown options; CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_stick_button_pick(void *user_data,
+                                         const double *instance,
+                                         const double *theta,
+                                         critreg_outcome *outcome);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* CRITREG_H */

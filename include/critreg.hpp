@@ -1,0 +1,339 @@
+/**
+ * @file critreg.hpp
+ * critreg.h for C++17: owners of memory, exceptions, vectors.
+ *
+ * A critreg::Learner owns the memory of a learner, a critreg::Region that of a
+ * region. What can fail throws critreg::Error. Nothing here is linked: the header
+ * only calls the functions of critreg.h, which remains the manual.
+ *
+ *     critreg::Learner learner(DOMAIN);
+ *     critreg::Region region = learner.learn(instances, [](const double *instance,
+ *                                                          const double *theta) {
+ *         return try_grasp(instance, theta) ? CRITREG_FEASIBLE : CRITREG_INFEASIBLE;
+ *     });
+ *     critreg::Rng rng(7);
+ *     if (auto theta = region.sample(instance, rng)) try_it(*theta);
+ */
+#ifndef CRITREG_HPP
+#define CRITREG_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "critreg.h"
+
+namespace critreg {
+
+/** A call that failed: its status, and in what() why. */
+class Error : public std::runtime_error {
+public:
+    Error(critreg_status status, const std::string &why)
+        : std::runtime_error(why.empty() ? critreg_strerror(status) : why), status_(status) {}
+
+    /** The status of the call. */
+    critreg_status status() const noexcept { return status_; }
+
+private:
+    critreg_status status_;
+};
+
+namespace detail {
+
+inline void check(critreg_status status, const std::string &why = {}) {
+    if (status != CRITREG_OK) throw Error(status, why);
+}
+
+/** Calls a function that fills a buffer, first for the length it needs. */
+template <class Buffer, class Fill> Buffer filled(Fill fill) {
+    std::size_t needed = 0;
+    critreg_status status = fill(nullptr, 0, &needed);
+    if (status != CRITREG_TOO_SMALL) check(status);
+    Buffer buffer(needed, 0);
+    check(fill(buffer.data(), buffer.size(), &needed));
+    return buffer;
+}
+
+template <class Fill> std::string text(Fill fill) {
+    std::string text = filled<std::string>(fill);
+    if (!text.empty()) text.pop_back();     // the NUL
+    return text;
+}
+
+} // namespace detail
+
+/** A generator of random numbers; copies go on with the same numbers. */
+class Rng {
+public:
+    explicit Rng(std::uint64_t seed) : state(critreg_rng_seed(seed)) {}
+
+    /** A number uniform in [0, 1). */
+    double uniform() {
+        double number;
+        detail::check(critreg_rng_uniform(&state, &number));
+        return number;
+    }
+
+    /** For functions of critreg.h. */
+    critreg_rng state;
+};
+
+/** A region in memory of its own. It can be moved, and shared between threads. */
+class Region {
+public:
+    /** Reads a region text; the error tells line and column. */
+    static Region parse(const std::string &domain, const std::string &text) {
+        std::array<char, 128> why{};
+        const critreg_status status = critreg_check_region(domain.c_str(), text.c_str(),
+                                                           why.data(), why.size(), nullptr);
+        detail::check(status, why.data());
+        Region region;
+        critreg_region *handle;
+        detail::check(critreg_region_parse(region.memory_.get(), BYTES, domain.c_str(),
+                                           text.c_str(), &handle));
+        return region;
+    }
+
+    /** Reads what save() wrote. */
+    static Region load(const std::vector<std::uint8_t> &bytes) {
+        Region region;
+        critreg_region *handle;
+        detail::check(critreg_region_load(region.memory_.get(), BYTES, bytes.data(), bytes.size(),
+                                          &handle));
+        return region;
+    }
+
+    /** The region and its domain as bytes. */
+    std::vector<std::uint8_t> save() const { return save(handle()); }
+
+    /** The region as text. */
+    std::string text() const {
+        return detail::text([this](char *text, std::size_t len, std::size_t *needed) {
+            return critreg_region_format(handle(), text, len, needed);
+        });
+    }
+
+    /** How many numbers an instance has. */
+    std::size_t instance_len() const {
+        std::size_t len;
+        detail::check(critreg_region_instance_len(handle(), &len));
+        return len;
+    }
+
+    /** How many parameters the action has. */
+    std::size_t parameter_count() const {
+        std::size_t count;
+        detail::check(critreg_region_parameter_count(handle(), &count));
+        return count;
+    }
+
+    /** Whether an action with these parameters is expected to work. */
+    bool contains(const std::vector<double> &instance, const std::vector<double> &theta) const {
+        expect(instance.size() == instance_len() && theta.size() == parameter_count());
+        std::int32_t inside;
+        detail::check(critreg_region_contains(handle(), instance.data(), theta.data(), &inside));
+        return inside != 0;
+    }
+
+    /** The admitted intervals of the action's only parameter. */
+    std::vector<std::pair<double, double>> intervals(const std::vector<double> &instance) const {
+        expect(instance.size() == instance_len());
+        std::array<double, 2 * CRITREG_MAX_INTERVALS> ends{};
+        std::size_t count;
+        detail::check(critreg_region_intervals(handle(), instance.data(), ends.data(),
+                                               CRITREG_MAX_INTERVALS, &count));
+        std::vector<std::pair<double, double>> intervals;
+        for (std::size_t i = 0; i < 2 * count; i += 2) intervals.emplace_back(ends[i], ends[i + 1]);
+        return intervals;
+    }
+
+    /** Parameters from the region; none if it is empty or none were found. */
+    std::optional<std::vector<double>> sample(const std::vector<double> &instance, Rng &rng) const {
+        expect(instance.size() == instance_len());
+        std::vector<double> theta(parameter_count() + 1);   // data() is never NULL
+        critreg_status status =
+            critreg_sample_region(handle(), instance.data(), &rng.state, theta.data());
+        if (status == CRITREG_EMPTY_REGION || status == CRITREG_NO_SAMPLE) return std::nullopt;
+        detail::check(status);
+        theta.pop_back();
+        return theta;
+    }
+
+    /** For functions of critreg.h; NULL if the region was moved away. */
+    const critreg_region *handle() const noexcept {
+        return reinterpret_cast<const critreg_region *>(memory_.get());
+    }
+
+private:
+    friend class Learner;
+
+    static constexpr std::size_t BYTES = CRITREG_REGION_WORDS * sizeof(std::uint64_t);
+
+    Region() : memory_(new std::uint64_t[CRITREG_REGION_WORDS]) {}
+
+    static std::vector<std::uint8_t> save(const critreg_region *handle) {
+        return detail::filled<std::vector<std::uint8_t>>(
+            [handle](std::uint8_t *bytes, std::size_t len, std::size_t *needed) {
+                return critreg_region_save(handle, bytes, len, needed);
+            });
+    }
+
+    static void expect(bool fits) {
+        if (!fits) throw Error(CRITREG_INVALID_ARGUMENT, "a vector has the wrong length");
+    }
+
+    std::unique_ptr<std::uint64_t[]> memory_;   // the handle lies at its start
+};
+
+/** What a learner wants to know. */
+struct Query {
+    std::size_t instance;       /**< Index of the instance. */
+    std::vector<double> theta;  /**< The parameters to try. */
+};
+
+/** A learner with memory of its own. It can be moved. */
+class Learner {
+public:
+    /** The default configuration, to change. */
+    static critreg_config default_config() {
+        critreg_config config;
+        detail::check(critreg_config_init(&config, sizeof config));
+        return config;
+    }
+
+    /** A learner about a domain. A config without capacities gets 4096 hypotheses. */
+    explicit Learner(const std::string &domain, critreg_config config = default_config()) {
+        std::array<char, 128> why{};
+        const critreg_status status =
+            critreg_check_domain(domain.c_str(), why.data(), why.size(), nullptr);
+        detail::check(status, why.data());
+        if (config.hypotheses == 0) config.hypotheses = 4096;
+        if (config.observations == 0) config.observations = observations_for(config);
+        const std::size_t bytes = critreg_learner_size(config.hypotheses, config.observations);
+        memory_.reset(new std::uint64_t[bytes / sizeof(std::uint64_t) + 1]);
+        critreg_learner *made;
+        detail::check(critreg_learner_init(memory_.get(), bytes, domain.c_str(), &config, &made));
+        detail::check(critreg_learner_instance_len(handle(), &instance_len_));
+        detail::check(critreg_learner_parameter_count(handle(), &parameter_count_));
+    }
+
+    /**
+     * Learns with a simulator: simulate(const double *instance, const double *theta)
+     * returns a critreg_outcome. What it throws ends learning and is thrown on;
+     * learning can go on afterwards.
+     */
+    template <class Simulate>
+    Region learn(const std::vector<double> &instances, Simulate &&simulate) {
+        struct Call {
+            Simulate &simulate;
+            std::exception_ptr thrown;
+        } call{simulate, nullptr};
+        auto trampoline = [](void *user_data, const double *instance, const double *theta,
+                             critreg_outcome *outcome) -> critreg_status {
+            Call &call = *static_cast<Call *>(user_data);
+            try {
+                *outcome = call.simulate(instance, theta);
+                return CRITREG_OK;
+            } catch (...) {
+                call.thrown = std::current_exception();
+                return CRITREG_USER_STATUS;
+            }
+        };
+        const critreg_region *region = nullptr;
+        critreg_status status = critreg_learn_region(handle(), instances.data(), count(instances),
+                                                     trampoline, &call, &region);
+        if (call.thrown) std::rethrow_exception(call.thrown);
+        check(status);
+        return Region::load(Region::save(region));
+    }
+
+    /** The sample to try next. */
+    Query ask(const std::vector<double> &instances) {
+        Query query{0, std::vector<double>(parameter_count_)};
+        check(critreg_ask(handle(), instances.data(), count(instances), &query.instance,
+                          query.theta.data()));
+        return query;
+    }
+
+    /** What came of it. */
+    void tell(const std::vector<double> &instances, critreg_outcome outcome) {
+        check(critreg_tell(handle(), instances.data(), count(instances), outcome));
+    }
+
+    /** Whether there is nothing more to ask. */
+    bool is_finished() const {
+        std::int32_t finished;
+        detail::check(critreg_is_finished(handle(), &finished));
+        return finished != 0;
+    }
+
+    /** A copy of what is learned so far. */
+    Region region() {
+        const critreg_region *region = nullptr;
+        check(critreg_learner_region(handle(), &region));
+        return Region::load(Region::save(region));
+    }
+
+    /** How learning went so far. */
+    critreg_report report() const {
+        critreg_report report;
+        detail::check(critreg_report_init(&report, sizeof report));
+        detail::check(critreg_learner_report(handle(), &report));
+        return report;
+    }
+
+    /** What was told so far, as bytes. */
+    std::vector<std::uint8_t> save(const std::vector<double> &instances) {
+        return detail::filled<std::vector<std::uint8_t>>(
+            [&](std::uint8_t *bytes, std::size_t len, std::size_t *needed) {
+                return critreg_learner_save(handle(), instances.data(), count(instances), bytes,
+                                            len, needed);
+            });
+    }
+
+    /** Brings a fresh learner to the state that save() wrote. */
+    void resume(const std::vector<double> &instances, const std::vector<std::uint8_t> &bytes) {
+        check(critreg_learner_resume(handle(), instances.data(), count(instances), bytes.data(),
+                                     bytes.size()));
+    }
+
+    /** For functions of critreg.h; NULL if the learner was moved away. */
+    critreg_learner *handle() const noexcept {
+        return reinterpret_cast<critreg_learner *>(memory_.get());
+    }
+
+private:
+    static std::uint32_t observations_for(const critreg_config &config) {
+        const std::uint64_t all = std::uint64_t{config.iterations} + 2;
+        return all > UINT32_MAX ? UINT32_MAX : static_cast<std::uint32_t>(all);
+    }
+
+    std::size_t count(const std::vector<double> &instances) const {
+        if (instance_len_ == 0 || instances.size() % instance_len_ != 0)
+            throw Error(CRITREG_INVALID_ARGUMENT, "the instances have the wrong length");
+        return instances.size() / instance_len_;
+    }
+
+    void check(critreg_status status) const {
+        if (status == CRITREG_OK) return;
+        throw Error(status,
+                    detail::text([this](char *text, std::size_t len, std::size_t *needed) {
+                        return critreg_learner_message(handle(), text, len, needed);
+                    }));
+    }
+
+    std::unique_ptr<std::uint64_t[]> memory_;   // the handle lies at its start
+    std::size_t instance_len_ = 0;
+    std::size_t parameter_count_ = 0;
+};
+
+} // namespace critreg
+
+#endif

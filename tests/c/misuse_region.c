@@ -1,0 +1,272 @@
+/* Wrong regions, texts, bytes, instances; the generator and the environment. */
+#include "expect.h"
+
+static const char REGION[] = "dist(hand, wall) >= 0.15 (1.5*hand.radius) and reach <= 2";
+static uint64_t memory[CRITREG_REGION_WORDS];
+static uint64_t other[CRITREG_REGION_WORDS];
+
+static critreg_region *parsed(void)
+{
+    critreg_region *region = NULL;
+    OK(critreg_region_parse(memory, sizeof memory, DOMAIN, REGION, &region));
+    return region;
+}
+
+/* Every function refuses what is no region. */
+static void no_handle(const critreg_region *region, critreg_status expected)
+{
+    critreg_rng rng = critreg_rng_seed(1);
+    double theta = 0.5, ends[2];
+    size_t number;
+    int32_t answer;
+    uint8_t bytes[64];
+    char text[64];
+
+    EXPECT(expected, critreg_region_save(region, bytes, sizeof bytes, &number));
+    EXPECT(expected, critreg_region_format(region, text, sizeof text, &number));
+    EXPECT(expected, critreg_region_instance_len(region, &number));
+    EXPECT(expected, critreg_region_parameter_count(region, &number));
+    EXPECT(expected, critreg_region_contains(region, WALLS, &theta, &answer));
+    EXPECT(expected, critreg_region_intervals(region, WALLS, ends, 1, &number));
+    EXPECT(expected, critreg_region_is_empty(region, WALLS, &answer));
+    EXPECT(expected, critreg_sample_region(region, WALLS, &rng, &theta));
+}
+
+static void wrong_handles(void)
+{
+    static uint64_t learner_memory[CRITREG_LEARNER_WORDS(1024, 256)];
+    critreg_learner *learner = reach_learner(learner_memory, sizeof learner_memory);
+    const critreg_region *learned;
+    size_t instance;
+    double theta;
+
+    no_handle(NULL, CRITREG_NULL_POINTER);
+    no_handle(ASKEW(critreg_region, memory), CRITREG_MISALIGNED);
+    memset(other, 0xA5, sizeof other);
+    no_handle((critreg_region *)(void *)other, CRITREG_NOT_A_HANDLE);
+    parsed();
+    memcpy(other, memory, sizeof memory);
+    no_handle((critreg_region *)(void *)other, CRITREG_NOT_A_HANDLE);
+    no_handle((critreg_region *)(void *)learner, CRITREG_NOT_A_HANDLE);
+
+    /* The learner's region is valid until the learner goes on. */
+    OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+    OK(critreg_tell(learner, WALLS, INSTANCES, CRITREG_INFEASIBLE));
+    EXPECT(CRITREG_NO_REGION, critreg_learner_region(learner, &learned));
+    OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+    OK(critreg_tell(learner, WALLS, INSTANCES, CRITREG_FEASIBLE));
+    OK(critreg_learner_region(learner, &learned));
+    OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+    OK(critreg_region_instance_len(learned, &instance));
+    OK(critreg_tell(learner, WALLS, INSTANCES, CRITREG_FEASIBLE));
+    no_handle(learned, CRITREG_NOT_A_HANDLE);
+}
+
+static void wrong_makers(void)
+{
+    critreg_region *const sentinel = (critreg_region *)(void *)other;
+    critreg_region *region = sentinel;
+    static char long_text[1 << 17];
+    char why[128];
+
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_parse(NULL, sizeof memory, DOMAIN, REGION, &region));
+    EXPECT(CRITREG_MISALIGNED, critreg_region_parse(ASKEW(void *, memory), sizeof memory - 8,
+                                                    DOMAIN, REGION, &region));
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_parse(memory, critreg_region_size() - 1, DOMAIN,
+                                                   REGION, &region));
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_parse(memory, 0, DOMAIN, REGION, &region));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_parse(memory, sizeof memory, NULL, REGION, &region));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_parse(memory, sizeof memory, DOMAIN, NULL, &region));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_parse(memory, sizeof memory, DOMAIN, REGION, NULL));
+    EXPECT(CRITREG_MISALIGNED, critreg_region_parse(memory, sizeof memory, DOMAIN, REGION,
+                                                    ASKEW(critreg_region *, other)));
+    EXPECT(CRITREG_SYNTAX_ERROR,
+           critreg_region_parse(memory, sizeof memory, "banana", REGION, &region));
+    EXPECT(CRITREG_SYNTAX_ERROR,
+           critreg_region_parse(memory, sizeof memory, DOMAIN, "reach <", &region));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_region_parse(memory, sizeof memory, DOMAIN, "\xff", &region));
+    memset(long_text, ' ', sizeof long_text - 1);
+    EXPECT(CRITREG_CAPACITY_EXCEEDED,
+           critreg_region_parse(memory, sizeof memory, DOMAIN, long_text, &region));
+    EXPECT_TRUE(region == sentinel);
+
+    EXPECT(CRITREG_SYNTAX_ERROR,
+           critreg_check_region(DOMAIN, "reach <= 1 and\n reach <= wall.height", why, sizeof why, NULL));
+    EXPECT_TRUE(strncmp(why, "line 2, column 11: ", 19) == 0);
+    EXPECT(CRITREG_SYNTAX_ERROR, critreg_check_region("banana", "true", NULL, 0, NULL));
+    EXPECT(CRITREG_NULL_POINTER, critreg_check_region(NULL, "true", why, sizeof why, NULL));
+    EXPECT(CRITREG_NULL_POINTER, critreg_check_region(DOMAIN, NULL, why, sizeof why, NULL));
+    EXPECT(CRITREG_NULL_POINTER, critreg_check_region(DOMAIN, "true", NULL, 1, NULL));
+    OK(critreg_check_region(DOMAIN, "true", why, sizeof why, NULL));
+    EXPECT_TRUE(why[0] == '\0');
+}
+
+static void text_and_bytes(void)
+{
+    critreg_region *region = parsed(), *loaded = NULL;
+    uint8_t bytes[1024], damaged[1024];
+    char text[256], again[256];
+    size_t needed = 0, length, i;
+
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_format(region, NULL, 0, &needed));
+    EXPECT_TRUE(needed == sizeof REGION);
+    memset(text, 'x', sizeof text);
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_format(region, text, needed - 1, NULL));
+    EXPECT_TRUE(text[0] == 'x');
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_format(region, NULL, 9, &needed));
+    EXPECT(CRITREG_MISALIGNED, critreg_region_format(region, text, 9, ASKEW(size_t, other)));
+    OK(critreg_region_format(region, text, needed, NULL));
+    EXPECT_TRUE(strcmp(text, REGION) == 0 && text[needed] == 'x');
+
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_save(region, NULL, 0, &length));
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_save(region, bytes, length - 1, NULL));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_save(region, NULL, sizeof bytes, &length));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_region_save(region, bytes, sizeof bytes, ASKEW(size_t, other)));
+    OK(critreg_region_save(region, bytes, sizeof bytes, &length));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_load(other, sizeof other, NULL, length, &loaded));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_load(NULL, sizeof other, bytes, length, &loaded));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_load(other, sizeof other, bytes, length, NULL));
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_load(other, 100, bytes, length, &loaded));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_region_load(other, sizeof other, bytes, SIZE_MAX, &loaded));
+    for (i = 0; i < length; i++) {
+        EXPECT(CRITREG_CORRUPT, critreg_region_load(other, sizeof other, bytes, i, &loaded));
+        memcpy(damaged, bytes, length);
+        damaged[i] ^= 0x04;
+        EXPECT(CRITREG_CORRUPT,
+               critreg_region_load(other, sizeof other, damaged, length, &loaded));
+    }
+    EXPECT_TRUE(loaded == NULL);
+    OK(critreg_region_load(other, sizeof other, bytes, length, &loaded));
+    OK(critreg_region_format(loaded, again, sizeof again, NULL));
+    EXPECT_TRUE(strcmp(text, again) == 0);
+}
+
+static void wrong_questions(void)
+{
+    critreg_region *region = parsed(), *plane;
+    critreg_rng rng = critreg_rng_seed(1), before;
+    double bad[2] = {1.0, (double)NAN}, theta = 0.5, nan = (double)NAN, ends[4] = {9, 9, 9, 9};
+    double wall_at_base[2] = {0.0, 0.0};
+    size_t count = 0;
+    int32_t answer = 77;
+
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_instance_len(region, NULL));
+    EXPECT(CRITREG_MISALIGNED, critreg_region_instance_len(region, ASKEW(size_t, other)));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_parameter_count(region, NULL));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_contains(region, NULL, &theta, &answer));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_contains(region, WALLS, NULL, &answer));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_contains(region, WALLS, &theta, NULL));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_region_contains(region, ASKEW(double, other), &theta, &answer));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_region_contains(region, WALLS, ASKEW(double, other), &answer));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_region_contains(region, WALLS, &theta, ASKEW(int32_t, other)));
+    EXPECT(CRITREG_NOT_FINITE, critreg_region_contains(region, bad, &theta, &answer));
+    EXPECT(CRITREG_NOT_FINITE, critreg_region_contains(region, WALLS, &nan, &answer));
+    EXPECT(CRITREG_NOT_FINITE, critreg_region_is_empty(region, bad, &answer));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_is_empty(region, WALLS, NULL));
+    EXPECT_TRUE(answer == 77);
+
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_intervals(region, WALLS, NULL, 1, &count));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_intervals(region, WALLS, ends, 1, NULL));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_intervals(region, NULL, ends, 1, &count));
+    EXPECT(CRITREG_NOT_FINITE, critreg_region_intervals(region, bad, ends, 1, &count));
+    EXPECT_TRUE(count == 0);
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_intervals(region, WALLS, ends, 1, &count));
+    EXPECT_TRUE(count == 2 && ends[0] == 9);
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_intervals(region, WALLS, NULL, 0, &count));
+    OK(critreg_region_intervals(region, WALLS, ends, 2, &count));
+    EXPECT_TRUE(ends[0] == 0.0 && ends[1] == 0.85 && ends[2] == 1.15 && ends[3] == 2.0);
+
+    EXPECT(CRITREG_NULL_POINTER, critreg_sample_region(region, NULL, &rng, &theta));
+    EXPECT(CRITREG_NULL_POINTER, critreg_sample_region(region, WALLS, NULL, &theta));
+    EXPECT(CRITREG_NULL_POINTER, critreg_sample_region(region, WALLS, &rng, NULL));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_sample_region(region, WALLS, ASKEW(critreg_rng, other), &theta));
+    EXPECT(CRITREG_NOT_FINITE, critreg_sample_region(region, bad, &rng, &theta));
+    EXPECT_TRUE(theta == 0.5);
+    before = rng;
+    OK(critreg_sample_region(region, WALLS, &rng, &theta));
+    OK(critreg_region_contains(region, WALLS, &theta, &answer));
+    EXPECT_TRUE(answer == 1 && memcmp(&before, &rng, sizeof rng) != 0);
+
+    OK(critreg_region_parse(memory, sizeof memory, DOMAIN, "reach < wall.x", &region));
+    EXPECT(CRITREG_EMPTY_REGION, critreg_sample_region(region, wall_at_base, &rng, &theta));
+    OK(critreg_region_is_empty(region, wall_at_base, &answer));
+    EXPECT_TRUE(answer == 1);
+    OK(critreg_region_intervals(region, wall_at_base, NULL, 0, &count));
+    EXPECT_TRUE(count == 0);
+    OK(critreg_region_parse(other, sizeof other, "parameter a in [0, 1] parameter b in [0, 1]",
+                            "a < b", &plane));
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_region_intervals(plane, WALLS, ends, 2, &count));
+}
+
+static void generator_and_environment(void)
+{
+    critreg_rng rng = critreg_rng_seed(0), zero = {{0, 0}}, same;
+    critreg_outcome outcome = 77;
+    uint32_t options = CRITREG_STICK_BUTTON_ANGLES, unknown = 2;
+    double instance[13], first, second, mu = 0.5, nan = (double)NAN;
+
+    EXPECT(CRITREG_NULL_POINTER, critreg_rng_uniform(NULL, &first));
+    EXPECT(CRITREG_NULL_POINTER, critreg_rng_uniform(&rng, NULL));
+    EXPECT(CRITREG_MISALIGNED, critreg_rng_uniform(ASKEW(critreg_rng, other), &first));
+    same = rng;
+    OK(critreg_rng_uniform(&rng, &first));
+    OK(critreg_rng_uniform(&zero, &second));
+    EXPECT_TRUE(first == second && first >= 0.0 && first < 1.0);
+    OK(critreg_rng_uniform(&same, &second));
+    EXPECT_TRUE(first == second);
+
+    EXPECT_TRUE(critreg_stick_button_instance_len() == 13);
+    EXPECT(CRITREG_NULL_POINTER, critreg_stick_button_task(1, 0, NULL, 13));
+    EXPECT(CRITREG_MISALIGNED, critreg_stick_button_task(1, 0, ASKEW(double, other), 13));
+    EXPECT(CRITREG_TOO_SMALL, critreg_stick_button_task(1, 0, instance, 12));
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_stick_button_task(1, 2, instance, 13));
+    OK(critreg_stick_button_task(1, options, instance, 13));
+    OK(critreg_stick_button_pick(&options, instance, &mu, &outcome));
+    OK(critreg_stick_button_task(1, 0, instance, 13));
+    OK(critreg_stick_button_pick(NULL, instance, &mu, &outcome));
+    EXPECT_TRUE(outcome == CRITREG_FEASIBLE || outcome == CRITREG_INFEASIBLE);
+    outcome = 77;
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_stick_button_pick(&unknown, instance, &mu, &outcome));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_stick_button_pick(ASKEW(void *, other), instance, &mu, &outcome));
+    EXPECT(CRITREG_NULL_POINTER, critreg_stick_button_pick(NULL, NULL, &mu, &outcome));
+    EXPECT(CRITREG_NULL_POINTER, critreg_stick_button_pick(NULL, instance, NULL, &outcome));
+    EXPECT(CRITREG_NULL_POINTER, critreg_stick_button_pick(NULL, instance, &mu, NULL));
+    EXPECT(CRITREG_NOT_FINITE, critreg_stick_button_pick(NULL, instance, &nan, &outcome));
+    instance[7] = (double)INFINITY;
+    EXPECT(CRITREG_NOT_FINITE, critreg_stick_button_pick(NULL, instance, &mu, &outcome));
+    EXPECT_TRUE(outcome == 77);
+}
+
+static void words_for_every_status(void)
+{
+    critreg_status status;
+    EXPECT_TRUE(critreg_abi_version() == CRITREG_ABI_VERSION);
+    for (status = -2; status < 20; status++) {
+        int known = status >= CRITREG_OK && status <= CRITREG_NOT_A_HANDLE;
+        EXPECT_TRUE((strcmp(critreg_strerror(status), "unknown status") != 0) == known);
+        EXPECT_TRUE((strcmp(critreg_status_name(status), "unknown") != 0) == known);
+    }
+    EXPECT_TRUE(strcmp(critreg_status_name(CRITREG_NOT_A_HANDLE), "CRITREG_NOT_A_HANDLE") == 0);
+    EXPECT_TRUE(strcmp(critreg_status_name(CRITREG_BUSY), "CRITREG_BUSY") == 0);
+    EXPECT_TRUE(strcmp(critreg_status_name(INT32_MAX), "CRITREG_USER_STATUS") == 0);
+    EXPECT_TRUE(strlen(critreg_strerror(INT32_MIN)) > 0);
+}
+
+int main(void)
+{
+    wrong_handles();
+    wrong_makers();
+    text_and_bytes();
+    wrong_questions();
+    generator_and_environment();
+    words_for_every_status();
+    return summary();
+}

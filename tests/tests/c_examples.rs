@@ -1,0 +1,86 @@
+//! The examples in C and C++ compile without warnings and do what they say.
+
+#[path = "../c/support.rs"]
+mod support;
+
+use std::process::Command;
+use support::{BOTH, Language, compile, root, run};
+
+fn output_of(file: &str, language: Language, arguments: &[&str]) -> String {
+    let name = file.split('.').next().unwrap();
+    let program = compile(name, &[root().join("c_examples").join(file)], language);
+    let output = run(Command::new(program).args(arguments));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The number behind a key in `key: value` lines, the first one.
+fn number(output: &str, key: &str) -> f64 {
+    let values = output.lines().find_map(|line| line.split_once(key));
+    let (_, rest) = values.unwrap_or_else(|| panic!("no {key} in {output}"));
+    let rest = rest.trim_start_matches([':', ' ']);
+    let word = rest.split([' ', ',']).next().unwrap();
+    word.parse().unwrap_or_else(|_| panic!("{key}: {word}"))
+}
+
+#[test]
+fn pick_stick_reports_every_phase() {
+    let outputs = BOTH.map(|language| output_of("pick_stick.c", language, &["8"]));
+    let [output, as_cpp] = &outputs;
+    assert_eq!(output, as_cpp);
+    assert_eq!(number(output, "kept"), 20_000.0);
+    let all = number(output, "enumerated");
+    assert_eq!(all, 20_000.0 + number(output, "left out"));
+    assert!(number(output, "after z-") >= number(output, "after z+"));
+    assert!(number(output, "after z+") >= number(output, "at the end"));
+    let original = number(output, "feasibility rate of the original sampler");
+    assert!((0.4..0.55).contains(&original), "{original}");
+    // Every seed is accounted for, with and without the active loop.
+    for part in output.split("\nK: ").skip(1) {
+        let nothing = number(part, "seeds that learned nothing");
+        let empty = number(part, "seeds whose region is empty in all tasks");
+        let useful = number(part, "seeds whose region gives draws");
+        assert_eq!(nothing + empty + useful, 8.0);
+    }
+}
+
+#[test]
+fn own_domain_beats_uniform_draws() {
+    for language in BOTH {
+        let output = output_of("own_domain.c", language, &[]);
+        let rate = |line: &str| {
+            let line = output.lines().find(|l| l.starts_with(line)).unwrap();
+            number(line, "feasibility rate")
+        };
+        assert!(rate("uniform: ") < 0.7, "{output}");
+        assert!(rate("region by hand: 10000 draws") > 0.98, "{output}");
+    }
+}
+
+#[test]
+fn ask_tell_resumes_to_the_same_region() {
+    for language in BOTH {
+        let output = output_of("ask_tell.c", language, &[]);
+        assert_eq!(number(&output, "samples before saving"), 10.0);
+        assert_eq!(number(&output, "samples in all"), 42.0);
+        assert!(
+            output.contains("region of the second learner: reach <= "),
+            "{output}"
+        );
+        assert!(output.ends_with("the regions are identical\n"), "{output}");
+    }
+}
+
+#[test]
+fn from_cpp_tells_errors_as_exceptions() {
+    let output = output_of("from_cpp.cpp", Language::Cpp17, &[]);
+    for part in [
+        "stopped after 5 calls: the gripper is stuck",
+        "learned: opening >= ",
+        "written: opening >= peg.width + finger.gap",
+        "[0.0700, 0.1000] 1000 draws, 1000 of them feasible",
+        "peg of 0.095: 0 draws",
+        "CRITREG_SYNTAX_ERROR: line 1, column 12: unknown name",
+    ] {
+        assert!(output.contains(part), "no {part} in {output}");
+    }
+}
