@@ -13,7 +13,7 @@
 //!
 //! | module | what it knows |
 //! |---|---|
-//! | [`env`] | built-in environments: a simulator, its predicates, controllers, operators, tasks |
+//! | [`mod@env`] | built-in environments: a simulator, its predicates, controllers, operators, tasks |
 //! | [`learn`] | learners: they ask for samples, are told what came of them, and end with a region |
 //! | [`region`] | regions: constraints, grounded in an instance, sampled exactly |
 //! | [`grammar`] | features and hypotheses made of a domain, formulas and their text |

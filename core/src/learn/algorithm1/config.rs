@@ -49,7 +49,7 @@ pub struct Memory<'m, R> {
     pub observations: &'m mut [Observation],
 }
 
-/// What decides the questions of [`Algorithm1`].
+/// What decides the questions of [`Algorithm1`](super::Algorithm1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Config {
     /// Seed of all random choices.
