@@ -68,7 +68,8 @@ pub unsafe extern "C" fn critreg_region_intervals(
             if capacity > 0 {
                 pointer::check(ends, "ends")?;
             }
-            let set = handle.ground(instance)?.intervals()?;
+            let grounded = handle.ground(instance)?;
+            let set = grounded.intervals()?;
             let intervals = set.intervals();
             count.write(intervals.len());
             if intervals.len() > capacity {

@@ -14,6 +14,8 @@ pub struct Grounded<'a, R> {
     region: &'a Region,
     domain: &'a Domain<'a>,
     scene: Scene<'a, R, MAX_REGION_POINTS>,
+    /// What is admitted of the only parameter, if there is only one.
+    set: IntervalSet<R>,
 }
 
 /// Most points that the constraints of a region refer to, with the points these
@@ -40,6 +42,7 @@ impl<'a, R: Real> Grounded<'a, R> {
             region,
             domain,
             scene: Scene::without_points(domain, instance),
+            set: IntervalSet::default(),
         }
     }
 
@@ -47,7 +50,19 @@ impl<'a, R: Real> Grounded<'a, R> {
         if self.domain.fingerprint() != self.region.fingerprint {
             return Err(Error::Mismatch("the region belongs to another domain text"));
         }
-        self.scene.add(self.region.points)
+        self.scene.add(self.region.points)?;
+        let [parameter] = self.parameters() else {
+            return Ok(());
+        };
+        let ends = [parameter.low, parameter.high].map(R::from_f64);
+        let (origin, direction) = (single(R::ZERO), single(R::ONE));
+        slice(
+            self.region,
+            &self.scene,
+            [&origin, &direction],
+            ends,
+            &mut self.set,
+        )
     }
 
     /// The parameters of the action.
@@ -79,6 +94,10 @@ impl<'a, R: Real> Grounded<'a, R> {
 
     /// As [`Grounded::contains`], for checked parameters inside their ranges.
     pub(super) fn admits(&self, theta: &Vector<R>) -> Result<bool, Error> {
+        let [first, ..] = theta;
+        if self.parameters().len() == 1 && self.set.is_exact() {
+            return Ok(self.set.contains(*first));
+        }
         let sample = self.scene.sample::<R>(theta);
         let nodes = self.region.formula.nodes();
         Ok(self.region.formula.holds(|c| {
@@ -94,69 +113,24 @@ impl<'a, R: Real> Grounded<'a, R> {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] unless the action has one parameter.
-    pub fn intervals(&self) -> Result<IntervalSet<R>, Error> {
-        let mut set = IntervalSet::default();
-        self.find_intervals(&mut set)?;
-        Ok(set)
-    }
-
-    /// As [`Grounded::intervals`], into a set that is there already.
-    pub(super) fn find_intervals(&self, set: &mut IntervalSet<R>) -> Result<(), Error> {
-        let [parameter] = self.parameters() else {
-            return Err(Error::InvalidArgument(
+    pub fn intervals(&self) -> Result<&IntervalSet<R>, Error> {
+        match self.parameters() {
+            [_] => Ok(&self.set),
+            _ => Err(Error::InvalidArgument(
                 "intervals exist for an action with one parameter",
-            ));
-        };
-        let mut direction = [R::ZERO; MAX_PARAMETERS];
-        let [first, ..] = &mut direction;
-        *first = R::ONE;
-        let ends = [parameter.low, parameter.high].map(R::from_f64);
-        self.slice(&[R::ZERO; MAX_PARAMETERS], &direction, ends, set)
+            )),
+        }
     }
 
-    /// Sets `set` to the admitted positions `t` between two ends on the line
+    /// Sets `set` to the admitted positions between two ends on the line
     /// `origin + t * direction`.
-    ///
-    /// The line is cut at the roots of the constraints; between two neighbouring
-    /// ones nothing changes. At a root its own constraint holds if it admits
-    /// equality.
     pub(super) fn slice(
         &self,
-        origin: &Vector<R>,
-        direction: &Vector<R>,
-        [low, high]: [R; 2],
+        line: [&Vector<R>; 2],
+        ends: [R; 2],
         set: &mut IntervalSet<R>,
     ) -> Result<(), Error> {
-        let mut theta = [Line::constant(R::ZERO); MAX_PARAMETERS];
-        for ((line, at), slope) in theta.iter_mut().zip(origin).zip(direction) {
-            *line = Line {
-                at: *at,
-                slope: *slope,
-            };
-        }
-        let sample = self.scene.sample::<Line<R>>(&theta);
-        let formula = &self.region.formula;
-        let mut cut = Cut::new(low, high)?;
-        for (index, constraint) in formula.constraints().iter().enumerate() {
-            let left = sample.measure(formula.nodes(), constraint.left);
-            let curve = left.minus(sample.measure(formula.nodes(), constraint.right));
-            cut.add(index, &curve, constraint.comparison)?;
-        }
-        let unknown = cut.first.hold & cut.first.fail;
-        let mut builder = Builder::new(set, unknown == 0);
-        // Most regions are conjunctions: all bits set is all there is to know.
-        let all = formula.conjunction();
-        let truth = |masks: Masks| match all {
-            Some(all) => masks.hold == all,
-            None => formula.truth_of_masks(masks.hold, masks.fail).may_hold,
-        };
-        let mut masks = cut.first;
-        for own in &cut.breaks {
-            let here = truth(masks.with(own.owners, cut.admit_equal));
-            masks = masks.with(own.owners, own.then_hold);
-            builder.step(own.at, here, own.at < high && truth(masks))?;
-        }
-        Ok(())
+        slice(self.region, &self.scene, line, ends, set)
     }
 
     /// Whether it is proven that no parameters in a box are admitted.
@@ -187,6 +161,59 @@ impl<'a, R: Real> Grounded<'a, R> {
         }
         (low, high)
     }
+}
+
+/// Sets `set` to the admitted positions `t` between two ends on the line
+/// `origin + t * direction`.
+///
+/// The line is cut at the roots of the constraints; between two neighbouring
+/// ones nothing changes. At a root its own constraint holds if it admits
+/// equality.
+fn slice<R: Real>(
+    region: &Region,
+    scene: &Scene<'_, R, MAX_REGION_POINTS>,
+    [origin, direction]: [&Vector<R>; 2],
+    [low, high]: [R; 2],
+    set: &mut IntervalSet<R>,
+) -> Result<(), Error> {
+    let mut theta = [Line::constant(R::ZERO); MAX_PARAMETERS];
+    for ((line, at), slope) in theta.iter_mut().zip(origin).zip(direction) {
+        *line = Line {
+            at: *at,
+            slope: *slope,
+        };
+    }
+    let sample = scene.sample::<Line<R>>(&theta);
+    let formula = &region.formula;
+    let mut cut = Cut::new(low, high)?;
+    for (index, constraint) in formula.constraints().iter().enumerate() {
+        let left = sample.measure(formula.nodes(), constraint.left);
+        let curve = left.minus(sample.measure(formula.nodes(), constraint.right));
+        cut.add(index, &curve, constraint.comparison)?;
+    }
+    let unknown = cut.first.hold & cut.first.fail;
+    let mut builder = Builder::new(set, unknown == 0);
+    // Most regions are conjunctions: all bits set is all there is to know.
+    let all = formula.conjunction();
+    let truth = |masks: Masks| match all {
+        Some(all) => masks.hold == all,
+        None => formula.truth_of_masks(masks.hold, masks.fail).may_hold,
+    };
+    let mut masks = cut.first;
+    for own in &cut.breaks {
+        let here = truth(masks.with(own.owners, cut.admit_equal));
+        masks = masks.with(own.owners, own.then_hold);
+        builder.step(own.at, here, own.at < high && truth(masks))?;
+    }
+    Ok(())
+}
+
+/// The vector of the only parameter.
+pub(super) fn single<R: Real>(value: R) -> Vector<R> {
+    let mut vector = [R::ZERO; MAX_PARAMETERS];
+    let [first, ..] = &mut vector;
+    *first = value;
+    vector
 }
 
 /// The parameters as the caller knows them.

@@ -2,7 +2,7 @@
 
 use super::Theta;
 use super::boxes::BoxSearch;
-use super::ground::{Grounded, Vector, to_theta};
+use super::ground::{Grounded, Vector, single, to_theta};
 use super::interval::IntervalSet;
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
@@ -37,18 +37,11 @@ impl<R: Real> Grounded<'_, R> {
                 .admits(&[R::ZERO; MAX_PARAMETERS])?
                 .then_some([R::ZERO; MAX_PARAMETERS]),
             [_] => {
-                let mut set = IntervalSet::default();
-                self.find_intervals(&mut set)?;
+                let set = self.intervals()?;
                 if set.is_empty() {
                     return Err(Error::EmptyRegion);
                 }
-                let along = |t| {
-                    let mut theta = [R::ZERO; MAX_PARAMETERS];
-                    let [first, ..] = &mut theta;
-                    *first = t;
-                    theta
-                };
-                self.draw_from(&set, along, rng)?
+                self.draw_from(set, single, rng)?
             }
             _ => self.sample_several(rng)?,
         };
@@ -166,7 +159,7 @@ impl<R: Real> Grounded<'_, R> {
             return Ok(None);
         }
         let mut set = IntervalSet::default();
-        self.slice(through, &direction, [first, last], &mut set)?;
+        self.slice([through, &direction], [first, last], &mut set)?;
         let along = |t: R| {
             let mut theta = *through;
             let moved = theta.iter_mut().zip(&direction).zip(low.iter().zip(&high));
