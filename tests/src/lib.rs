@@ -2,4 +2,5 @@
 pub mod arm;
 pub mod data;
 pub mod pick;
+pub mod report;
 pub mod room;

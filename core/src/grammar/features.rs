@@ -63,6 +63,19 @@ impl<'m, R: Real> Features<'m, R> {
         nodes: &'m mut [Node],
         values: &'m mut [R],
     ) -> Result<Self, Error> {
+        Self::enumerate_up_to(domain, MAX_COMPLEXITY, nodes, values)
+    }
+
+    /// As [`Features::enumerate`], without features of a higher complexity.
+    ///
+    /// # Errors
+    /// Those of [`Features::enumerate`].
+    pub fn enumerate_up_to(
+        domain: &Domain<'_>,
+        complexity: usize,
+        nodes: &'m mut [Node],
+        values: &'m mut [R],
+    ) -> Result<Self, Error> {
         let mut features = Features {
             nodes: Table::new(nodes, "features"),
             values,
@@ -73,7 +86,7 @@ impl<'m, R: Real> Features<'m, R> {
             features.nodes.push(Node::Number(factor))?;
         }
         features.enumerate_lefts(domain);
-        features.enumerate_rights(domain);
+        features.enumerate_rights(domain, complexity.min(MAX_COMPLEXITY));
         Ok(features)
     }
 
@@ -147,8 +160,8 @@ impl<'m, R: Real> Features<'m, R> {
         }
     }
 
-    fn enumerate_rights(&mut self, domain: &Domain<'_>) {
-        for complexity in 1..=MAX_COMPLEXITY {
+    fn enumerate_rights(&mut self, domain: &Domain<'_>, most: usize) {
+        for complexity in 1..=most {
             for dimension in Dimension::ALL {
                 let wanted = (1..=2).any(|c| !self.lefts(c, dimension).is_empty());
                 if !wanted {

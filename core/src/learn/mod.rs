@@ -9,14 +9,17 @@
 //! | learner | idea |
 //! |---|---|
 //! | [`Algorithm1`] | the thesis's Algorithm 1: prune `left op right` hypotheses |
+//! | [`VersionSpace`] | sound: keep every explanation of the answers, ask where they disagree |
 
 mod algorithm1;
 mod log;
 mod problem;
+pub mod version_space;
 
 pub use algorithm1::{Algorithm1, Bounds, Capacity, Config, Memory, Report};
 pub use log::{Observation, resume, save, saved_len};
 pub use problem::Problem;
+pub use version_space::VersionSpace;
 
 use crate::error::Error;
 use crate::region::{Region, Theta};

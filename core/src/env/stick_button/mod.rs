@@ -27,6 +27,7 @@ mod controllers;
 mod operators;
 mod pick;
 mod predicates;
+mod press;
 mod simulate;
 mod tasks;
 mod world;
@@ -36,6 +37,7 @@ pub use pick::PICK_STICK_FROM_NOTHING;
 pub use predicates::{
     ABOVE_NO_BUTTON, GRASPED, HAND_EMPTY, PRESSED, ROBOT_ABOVE_BUTTON, STICK_ABOVE_BUTTON,
 };
+pub use press::STICK_PRESS_BUTTON_FROM_NOTHING;
 pub use tasks::MAX_BUTTONS;
 pub use world::World;
 

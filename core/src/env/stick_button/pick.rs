@@ -1,7 +1,7 @@
 //! PickStick as something to learn about: its domain text and its simulator.
 
 use super::{ROBOT, STICK, StickButton, World};
-use crate::domain::{Environment, OperatorId, State, try_operator};
+use crate::domain::{Environment, OperatorId, Outcome, State, try_operator};
 use crate::error::Error;
 use crate::learn::Answer;
 
@@ -22,20 +22,35 @@ impl StickButton {
     /// [`Error::InvalidArgument`] if the instance has another length or there is
     /// no parameter.
     pub fn try_pick(&self, instance: &[f64], theta: &[f64]) -> Result<Answer, Error> {
-        let state = instance_state(instance)?;
-        let mu = theta
-            .first()
-            .ok_or(Error::InvalidArgument("picking needs the parameter mu"))?;
-        let operators = self.operators();
-        let pick = operators
-            .get(usize::from(PICK_STICK_FROM_NOTHING.0))
-            .ok_or(Error::InvalidArgument("there is no such operator"))?;
-        let outcome = try_operator(self, pick, &[ROBOT, STICK], &[*mu as f32], &state);
+        let outcome = pick(self, &instance_state(instance)?, theta)?;
         Ok(Answer::from_feasible(outcome.is_feasible()))
     }
 }
 
-fn instance_state(instance: &[f64]) -> Result<State, Error> {
+/// Rolls PickStick out from a state.
+pub(super) fn pick(
+    environment: &StickButton,
+    state: &State,
+    theta: &[f64],
+) -> Result<Outcome, Error> {
+    let mu = theta
+        .first()
+        .ok_or(Error::InvalidArgument("picking needs the parameter mu"))?;
+    let operators = environment.operators();
+    let pick = operators
+        .get(usize::from(PICK_STICK_FROM_NOTHING.0))
+        .ok_or(Error::InvalidArgument("there is no such operator"))?;
+    let objects = [ROBOT, STICK];
+    Ok(try_operator(
+        environment,
+        pick,
+        &objects,
+        &[*mu as f32],
+        state,
+    ))
+}
+
+pub(super) fn instance_state(instance: &[f64]) -> Result<State, Error> {
     const WRONG: Error =
         Error::InvalidArgument("an instance has 13 numbers: robot, stick, holder and one button");
     let (robot, rest) = instance.split_first_chunk().ok_or(WRONG)?;

@@ -1,0 +1,73 @@
+//! PickStick and then StickPressButton, as one thing to learn about: where to
+//! grasp the stick so that its tip reaches the button.
+
+use super::pick::{instance_state, pick};
+use super::{FIRST_BUTTON, ROBOT, STICK, StickButton};
+use crate::domain::{Environment, OperatorId, try_operator};
+use crate::error::Error;
+use crate::learn::Answer;
+
+/// The operator StickPressButtonFromNothing.
+pub const STICK_PRESS_BUTTON_FROM_NOTHING: OperatorId = OperatorId(7);
+
+impl StickButton {
+    /// Rolls PickStick out and then StickPressButton, in an instance of
+    /// [`StickButton::PICK_DOMAIN`] and with the first parameter as mu. The answer
+    /// tells which of the two failed.
+    ///
+    /// # Errors
+    /// Those of [`StickButton::try_pick`].
+    pub fn try_pick_and_press(&self, instance: &[f64], theta: &[f64]) -> Result<Answer, Error> {
+        let state = instance_state(instance)?;
+        let picked = pick(self, &state, theta)?;
+        if !picked.is_feasible() {
+            return Ok(Answer::FailedStep(1));
+        }
+        let operators = self.operators();
+        let press = operators
+            .get(usize::from(STICK_PRESS_BUTTON_FROM_NOTHING.0))
+            .ok_or(Error::InvalidArgument("there is no such operator"))?;
+        let objects = [ROBOT, STICK, FIRST_BUTTON];
+        let pressed = try_operator(self, press, &objects, &[], &picked.state);
+        Ok(if pressed.is_feasible() {
+            Answer::Feasible
+        } else {
+            Answer::FailedStep(2)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::generator;
+
+    #[test]
+    fn the_operator_is_where_it_is_expected() {
+        let index = usize::from(STICK_PRESS_BUTTON_FROM_NOTHING.0);
+        let press = &StickButton::default().operators()[index];
+        assert_eq!(press.name, "StickPressButtonFromNothing");
+    }
+
+    #[test]
+    fn the_step_that_fails_is_told() {
+        let environment = StickButton::default();
+        let mut seen = [0; 3];
+        for seed in 0..40 {
+            let task = environment.task(1..=1, &mut generator(seed)).unwrap();
+            let instance = task.initial.values();
+            for step in 0..20 {
+                let theta = [f64::from(step) / 20.0];
+                let picked = environment.try_pick(instance, &theta).unwrap();
+                let both = environment.try_pick_and_press(instance, &theta).unwrap();
+                assert_eq!(picked == Answer::Feasible, both != Answer::FailedStep(1));
+                let place = match both {
+                    Answer::Feasible => 0,
+                    Answer::FailedStep(step) => step as usize,
+                };
+                seen[place] += 1;
+            }
+        }
+        assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+    }
+}

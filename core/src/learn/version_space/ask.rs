@@ -1,0 +1,88 @@
+//! The next question: look around, tell explanations apart, or certify.
+
+use super::question::{Choice, anywhere};
+use super::{Pending, VersionSpace};
+use crate::error::Error;
+use crate::learn::{Learner, Problem, Query};
+use crate::random::{below, uniform};
+use crate::real::Real;
+
+impl<'m, R: Real> VersionSpace<'m, R> {
+    pub(super) fn next_query(&mut self, problem: &Problem<'_>) -> Result<Pending, Error> {
+        if self.is_finished() {
+            return Err(Error::OutOfSequence(
+                "learning is finished: ask for the region",
+            ));
+        }
+        let mut pending = Pending {
+            query: anywhere(problem, &mut self.rng),
+            lead: 0,
+            failed_step: 0,
+            certifying: false,
+        };
+        if self.report.feasible == 0 || self.report.infeasible == 0 {
+            return Ok(pending);
+        }
+        if self.calls_left() <= self.config.certifying && self.is_explained() {
+            if !self.certifying {
+                self.certifying = true;
+                self.elect(problem.domain())?;
+            }
+            if let Some(query) = self.draw(problem)? {
+                pending.query = query;
+                pending.certifying = true;
+            }
+            return Ok(pending);
+        }
+        self.mend(1);
+        let mut rng = self.rng.clone();
+        let exploring = uniform(&mut rng) < self.config.exploring;
+        let mut chosen = None;
+        if !exploring {
+            chosen = self.choice().best(problem, &mut rng)?;
+        }
+        if !exploring && chosen.is_none() && !self.elected {
+            // Nothing is left to ask: is there a better explanation to be doubted?
+            self.elect(problem.domain())?;
+            chosen = self.choice().best(problem, &mut rng)?;
+        }
+        if chosen.is_none() {
+            chosen = self.choice().farthest(problem, &mut rng)?;
+        }
+        self.rng = rng;
+        if let Some(query) = chosen {
+            pending.query = query;
+        }
+        Ok(pending)
+    }
+
+    pub(super) fn choice(&self) -> Choice<'_, 'm, R> {
+        Choice {
+            forms: &self.forms,
+            covers: self.covers,
+            observations: self.observations.as_slice(),
+        }
+    }
+
+    pub(super) fn calls_left(&self) -> u32 {
+        let told = u32::try_from(self.observations.len()).unwrap_or(u32::MAX);
+        self.config.calls.saturating_sub(told)
+    }
+
+    /// A draw from the region in some instance.
+    pub(super) fn draw(&mut self, problem: &Problem<'_>) -> Result<Option<Query>, Error> {
+        for _ in 0..8 {
+            let instance = below(&mut self.rng, problem.count());
+            let values = problem.instance(instance)?;
+            match self
+                .region
+                .sample::<R>(problem.domain(), values, &mut self.rng)
+            {
+                Ok(theta) => return Ok(Some(Query { instance, theta })),
+                Err(Error::EmptyRegion | Error::NoSample) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(None)
+    }
+}

@@ -1,0 +1,142 @@
+//! What is known of forms and samples: S, the samples of each step, and the value
+//! of a form at a sample.
+
+use super::{MAX_TRIM, MAX_WORDS, Sample, Set, tolerance};
+use crate::learn::version_space::cover::members;
+use crate::real::Real;
+
+/// The values of a form at the feasible samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span<R> {
+    pub(super) low: R,
+    pub(super) high: R,
+}
+
+impl<R: Real> Default for Span<R> {
+    fn default() -> Self {
+        Span {
+            low: R::INFINITY,
+            high: -R::INFINITY,
+        }
+    }
+}
+
+impl<R: Real> Span<R> {
+    /// Whether a value lies outside, on one side, by more than rounding: a form
+    /// that is constant up to rounding explains nothing.
+    #[inline(always)]
+    pub(super) fn excludes(&self, value: R, upper: bool) -> bool {
+        if upper {
+            value > self.high + tolerance(value)
+        } else {
+            value < self.low - tolerance(value)
+        }
+    }
+}
+
+/// What is known of one step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
+    /// The samples at which it worked.
+    pub(super) feasible: Set,
+    /// The samples at which it failed.
+    pub(super) infeasible: Set,
+    /// Those of them that need no explanation.
+    pub(super) excused: Set,
+    /// How many of the most extreme feasible samples do not widen S, for every
+    /// form and direction.
+    pub(super) trim: usize,
+}
+
+impl Step {
+    pub(super) const NEW: Step = Step {
+        feasible: [0; MAX_WORDS],
+        infeasible: [0; MAX_WORDS],
+        excused: [0; MAX_WORDS],
+        trim: 0,
+    };
+}
+
+/// What the value of a form at a sample follows from.
+#[derive(Clone, Copy)]
+pub(super) struct Known<'k, R> {
+    pub(super) instances: &'k [R],
+    pub(super) width: usize,
+    pub(super) rows: &'k [R],
+    pub(super) left_count: usize,
+    pub(super) samples: &'k [Sample],
+}
+
+impl<R: Real> Known<'_, R> {
+    pub(super) fn rights(&self, instance: usize) -> &[R] {
+        let row = self.instances.chunks_exact(self.width.max(1)).nth(instance);
+        row.unwrap_or(&[])
+    }
+
+    pub(super) fn value(&self, left: usize, column: usize, sample: usize) -> R {
+        let instance = self.samples.get(sample).map_or(0, |s| s.instance as usize);
+        let left = self.rows.get(sample * self.left_count + left);
+        let right = self.instances.get(instance * self.width + column);
+        match (left, right) {
+            (Some(left), Some(right)) => *left - *right,
+            _ => R::NAN,
+        }
+    }
+
+    /// S without the most extreme samples in each direction.
+    pub(super) fn span(&self, left: usize, column: usize, step: &Step) -> Span<R> {
+        let mut lows = [R::INFINITY; MAX_TRIM + 1];
+        let mut highs = [-R::INFINITY; MAX_TRIM + 1];
+        for sample in members(&step.feasible) {
+            let (mut low, mut high) = (self.value(left, column, sample), R::ZERO);
+            high = low + high;
+            // Sinks into the sorted extremes; what it displaces sinks further.
+            for (least, most) in lows.iter_mut().zip(&mut highs).take(step.trim + 1) {
+                (*least, low) = (least.min(low), least.max(low));
+                (*most, high) = (most.max(high), most.min(high));
+            }
+        }
+        Span {
+            low: lows.get(step.trim).copied().unwrap_or(R::INFINITY),
+            high: highs.get(step.trim).copied().unwrap_or(-R::INFINITY),
+        }
+    }
+
+    /// Brings up to date which infeasible samples of a step a form excludes.
+    #[expect(clippy::too_many_arguments)]
+    pub(super) fn settle_bits(
+        &self,
+        bits: &mut [u64],
+        capacity: usize,
+        words: usize,
+        form: usize,
+        left: usize,
+        column: usize,
+        span: &Span<R>,
+        step: &Step,
+    ) {
+        for (word, mask) in step.infeasible.iter().enumerate().take(words) {
+            for upper in [false, true] {
+                let place = (2 * word + usize::from(upper)) * capacity + form;
+                let Some(slot) = bits.get_mut(place) else {
+                    continue;
+                };
+                let mut open = *mask;
+                // S that only grows takes bits away; trimming may bring some back.
+                if step.trim == 0 {
+                    open &= *slot;
+                }
+                while open != 0 {
+                    let bit = open & open.wrapping_neg();
+                    open ^= bit;
+                    let sample = 64 * word + bit.trailing_zeros() as usize;
+                    if span.excludes(self.value(left, column, sample), upper) {
+                        *slot |= bit;
+                    } else {
+                        *slot &= !bit;
+                    }
+                }
+            }
+        }
+    }
+}

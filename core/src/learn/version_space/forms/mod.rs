@@ -1,0 +1,410 @@
+//! Forms and their version spaces.
+//!
+//! A form is a difference `left - right` of a feature that depends on the sample
+//! and one that depends on the instance only, or nothing. Its version space is an
+//! interval: S, all values at feasible samples. An infeasible sample is a bit per
+//! form and direction: whether its value lies outside of S, on that side.
+//!
+//! Right sides are evaluated once per instance, left sides once per sample; what
+//! is done per form is one subtraction and two comparisons, in long runs over
+//! neighbouring right sides.
+
+mod known;
+mod layout;
+mod update;
+
+pub use known::Span;
+pub(in crate::learn::version_space) use layout::Side;
+
+use super::cover::{MAX_STEPS, remove};
+use crate::domain::{
+    Dependence, Dimension, MAX_PARAMETERS, Node, NodeId, PointSet, Sample as Point, Scene,
+};
+use crate::error::Error;
+use crate::grammar::{FACTORS, Features, feature_id};
+use crate::learn::Problem;
+use crate::real::Real;
+use crate::region::Theta;
+use crate::table::Table;
+use known::{Known, Step};
+use layout::{Block, Layout};
+
+/// Most left sides.
+pub(in crate::learn::version_space) const MAX_LEFTS: usize = 64;
+/// Most words of a set of samples.
+pub(in crate::learn::version_space) const MAX_WORDS: usize = 32;
+/// Kinds of right sides, simple ones first: nothing, attributes and coordinates,
+/// distances and angles, scaled ones.
+pub(in crate::learn::version_space) const LEVELS: usize = 4;
+const DIMENSIONS: usize = Dimension::ALL.len();
+/// The column of "nothing".
+const NOTHING: u16 = u16::MAX;
+
+/// A set of samples, a bit each.
+pub(in crate::learn::version_space) type Set = [u64; MAX_WORDS];
+
+/// The left sides at a sample; those behind the last are zero.
+pub(in crate::learn::version_space) type Lefts<R> = [R; MAX_LEFTS];
+
+/// How much two equal values may differ by rounding.
+#[inline(always)]
+pub(in crate::learn::version_space) fn tolerance<R: Real>(value: R) -> R {
+    R::from_f64(64.0) * R::EPSILON * (R::from_f64(16.0) + value.abs())
+}
+
+/// A sample whose answer is decided.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sample {
+    instance: u32,
+}
+
+/// Most feasible samples that a step's constraints may ignore, each in each
+/// direction.
+pub(in crate::learn::version_space) const MAX_TRIM: usize = 7;
+
+/// The forms of a domain, what the feasible samples say about each and which
+/// infeasible samples each excludes.
+#[derive(Debug)]
+pub(in crate::learn::version_space) struct Forms<'m, R> {
+    features: Features<'m, R>,
+    layout: Layout,
+    used: usize,
+    left_count: usize,
+    columns: Table<'m, u16>,
+    /// Right sides, one row per instance.
+    instances: &'m mut [R],
+    spans: &'m mut [Span<R>],
+    bits: &'m mut [u64],
+    /// Left sides, one row per sample.
+    rows: &'m mut [R],
+    samples: Table<'m, Sample>,
+    /// What is known of each step.
+    steps: [Step; MAX_STEPS],
+    width: usize,
+}
+
+/// Tables that forms live in.
+pub(in crate::learn::version_space) struct Storage<'m, R> {
+    pub(in crate::learn::version_space) features: Features<'m, R>,
+    pub(in crate::learn::version_space) columns: &'m mut [u16],
+    pub(in crate::learn::version_space) instances: &'m mut [R],
+    pub(in crate::learn::version_space) spans: &'m mut [Span<R>],
+    pub(in crate::learn::version_space) bits: &'m mut [u64],
+    pub(in crate::learn::version_space) rows: &'m mut [R],
+    pub(in crate::learn::version_space) samples: &'m mut [Sample],
+    pub(in crate::learn::version_space) forms: usize,
+    pub(in crate::learn::version_space) lefts: usize,
+}
+
+impl<'m, R: Real> Forms<'m, R> {
+    pub(in crate::learn::version_space) fn new(storage: Storage<'m, R>) -> Self {
+        storage.spans.fill(Span::default());
+        let mut layout = Layout {
+            capacity: storage.forms,
+            ..Layout::default()
+        };
+        let mut left_count = 0;
+        for (blocks, dimension) in layout.lefts.iter_mut().zip(Dimension::ALL) {
+            for (block, complexity) in blocks.iter_mut().zip(1..) {
+                let range = storage.features.lefts(complexity, dimension);
+                // Left sides are the first features behind the factors.
+                let start = range.start.saturating_sub(FACTORS.len());
+                let len = range.len().min(storage.lefts.saturating_sub(start));
+                *block = Block { start, len };
+                left_count += len;
+            }
+        }
+        Forms {
+            width: storage.columns.len(),
+            features: storage.features,
+            layout,
+            used: 0,
+            left_count,
+            columns: Table::new(storage.columns, "right sides of forms"),
+            instances: storage.instances,
+            spans: storage.spans,
+            bits: storage.bits,
+            rows: storage.rows,
+            samples: Table::new(storage.samples, "samples"),
+            steps: [Step::NEW; MAX_STEPS],
+        }
+    }
+
+    /// Evaluates the right sides in all instances and lays out the forms.
+    ///
+    /// Right sides that do not vary, or vary as an earlier one does, would say
+    /// nothing new: thresholds absorb the difference.
+    pub(in crate::learn::version_space) fn settle(
+        &mut self,
+        problem: &Problem<'_>,
+    ) -> Result<(), Error> {
+        let count = problem.count();
+        let needed = count.checked_mul(self.width);
+        if needed.is_none_or(|n| n > self.instances.len()) {
+            return Err(Error::CapacityExceeded("problem instances"));
+        }
+        self.columns.clear();
+        self.fill_rows(problem, |values, row| {
+            for (slot, value) in row.iter_mut().zip(values) {
+                *slot = *value;
+            }
+        })?;
+        for level in 0..LEVELS {
+            for dimension in Dimension::ALL {
+                let start = self.columns.len();
+                self.add_columns(problem, level, dimension)?;
+                let len = self.columns.len() - start;
+                let own = self.layout.columns.get_mut(level);
+                if let Some(slot) = own.and_then(|own| own.get_mut(dimension as usize)) {
+                    *slot = Block { start, len };
+                }
+            }
+        }
+        let columns = core::mem::replace(&mut self.columns, Table::new(&mut [], ""));
+        let filled = self.fill_rows(problem, |values, row| {
+            for (slot, column) in row.iter_mut().zip(columns.as_slice()) {
+                let value = values.get(usize::from(*column)).copied();
+                *slot = value.unwrap_or(R::ZERO);
+            }
+        });
+        self.columns = columns;
+        self.used = self.layout.runs().map(|run| run.forms.len()).sum();
+        filled
+    }
+
+    /// Calls `fill` with the values of all features in each instance and its row.
+    fn fill_rows(
+        &mut self,
+        problem: &Problem<'_>,
+        mut fill: impl FnMut(&[R], &mut [R]),
+    ) -> Result<(), Error> {
+        let points = PointSet::all(problem.domain());
+        let theta = [R::ZERO; MAX_PARAMETERS];
+        let rows = self.instances.chunks_exact_mut(self.width.max(1));
+        for (index, row) in (0..problem.count()).zip(rows) {
+            let scene = Scene::new(problem.domain(), problem.instance(index)?, points)?;
+            self.features.evaluate(&scene, &theta);
+            fill(self.features.values(), row);
+        }
+        Ok(())
+    }
+
+    fn add_columns(
+        &mut self,
+        problem: &Problem<'_>,
+        level: usize,
+        dimension: Dimension,
+    ) -> Result<(), Error> {
+        let complexity = match level {
+            0 if self.layout.has_left(dimension) => return self.columns.push(NOTHING),
+            0 => return Ok(()),
+            1 => 1,
+            _ => 2,
+        };
+        for feature in self.features.rights(complexity, dimension) {
+            let nodes = self.features.nodes();
+            let scaled = matches!(nodes.get(feature), Some(Node::Product(..)));
+            let id = feature_id(feature);
+            let varies = problem.domain().dependence(nodes, id) == Dependence::Instance;
+            if varies && scaled == (level == 3) && self.is_new(problem.count(), feature) {
+                self.columns.push(id.0)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a right side differs from nothing and from the earlier ones by more
+    /// than a constant.
+    fn is_new(&self, count: usize, feature: usize) -> bool {
+        let rows = || self.instances.chunks_exact(self.width.max(1)).take(count);
+        let value = |row: &[R], feature: usize| row.get(feature).copied().unwrap_or(R::ZERO);
+        let same = |other: usize| {
+            let mut differences = rows().map(|row| value(row, feature) - value(row, other));
+            let first = differences.next().unwrap_or(R::ZERO);
+            differences.all(|d| (d - first).abs() <= tolerance(first))
+        };
+        // "Nothing" has no value in a row, which counts as zero.
+        let mut columns = self.columns.as_slice().iter();
+        rows().all(|row| value(row, feature).is_finite())
+            && !columns.any(|column| same(usize::from(*column)))
+    }
+
+    pub(in crate::learn::version_space) fn len(&self) -> usize {
+        self.used
+    }
+
+    pub(in crate::learn::version_space) fn left_out(&self) -> usize {
+        self.layout.wanted() - self.used
+    }
+
+    pub(in crate::learn::version_space) fn features(&self) -> &Features<'m, R> {
+        &self.features
+    }
+
+    /// The feature on the left, and on the right if there is one.
+    pub(in crate::learn::version_space) fn terms(&self, side: &Side) -> (NodeId, Option<NodeId>) {
+        let column = self
+            .columns
+            .as_slice()
+            .get(usize::from(side.column))
+            .copied();
+        (
+            feature_id(usize::from(side.left) + FACTORS.len()),
+            column.filter(|c| *c != NOTHING).map(NodeId),
+        )
+    }
+
+    /// Evaluates the left sides at a sample.
+    pub(in crate::learn::version_space) fn evaluate(
+        &self,
+        scene: &Scene<'_, R>,
+        theta: &Theta,
+    ) -> Lefts<R> {
+        let theta = theta.map(R::from_f64);
+        let sample: Point<'_, '_, R, R> = scene.sample(&theta);
+        let mut lefts = [R::ZERO; MAX_LEFTS];
+        let nodes = self.features.nodes().iter().skip(FACTORS.len());
+        for (value, node) in lefts.iter_mut().zip(nodes).take(self.left_count) {
+            *value = sample.node(*node, |_| R::ZERO);
+        }
+        lefts
+    }
+
+    fn instance(&self, instance: usize) -> &[R] {
+        self.instances
+            .chunks_exact(self.width.max(1))
+            .nth(instance)
+            .unwrap_or(&[])
+    }
+
+    /// The value of a form from one direction: larger is further out.
+    pub(in crate::learn::version_space) fn value(
+        &self,
+        side: &Side,
+        instance: usize,
+        lefts: &[R],
+    ) -> R {
+        let left = lefts.get(usize::from(side.left)).copied().unwrap_or(R::NAN);
+        let right = self
+            .instance(instance)
+            .get(usize::from(side.column))
+            .copied();
+        side.outward(left - right.unwrap_or(R::NAN))
+    }
+
+    /// The infeasible samples of a step that need an explanation.
+    pub(in crate::learn::version_space) fn infeasible(&self, step: usize) -> Set {
+        let mut set = self
+            .steps
+            .get(step)
+            .map_or([0; MAX_WORDS], |s| s.infeasible);
+        remove(&mut set, &self.excused(step));
+        set
+    }
+
+    /// The infeasible samples of a step that need no explanation.
+    pub(in crate::learn::version_space) fn excused(&self, step: usize) -> Set {
+        self.steps.get(step).map_or([0; MAX_WORDS], |s| s.excused)
+    }
+
+    /// Excuses infeasible samples of a step.
+    pub(in crate::learn::version_space) fn excuse(&mut self, step: usize, set: &Set) {
+        if let Some(own) = self.steps.get_mut(step) {
+            for (word, new) in own.excused.iter_mut().zip(set) {
+                *word |= new;
+            }
+        }
+    }
+
+    /// The feasible samples of a step.
+    pub(in crate::learn::version_space) fn feasible(&self, step: usize) -> Set {
+        self.steps.get(step).map_or([0; MAX_WORDS], |s| s.feasible)
+    }
+
+    /// The value of a form at a sample.
+    pub(in crate::learn::version_space) fn value_at(&self, side: &Side, sample: usize) -> R {
+        let value = self
+            .known()
+            .value(side.left.into(), side.column.into(), sample);
+        side.outward(value)
+    }
+
+    /// How many samples there are.
+    pub(in crate::learn::version_space) fn samples(&self) -> usize {
+        self.samples.len()
+    }
+
+    /// The instance of a sample.
+    pub(in crate::learn::version_space) fn instance_of(&self, sample: usize) -> usize {
+        let sample = self.samples.as_slice().get(sample);
+        sample.map_or(0, |s| s.instance as usize)
+    }
+
+    /// How many words a set of samples has in use.
+    fn words(&self) -> usize {
+        self.samples.len().div_ceil(64)
+    }
+
+    fn known(&self) -> Known<'_, R> {
+        Known {
+            instances: self.instances,
+            width: self.width,
+            rows: self.rows,
+            left_count: self.left_count,
+            samples: self.samples.as_slice(),
+        }
+    }
+
+    /// The words `word` of all sets excluded, from above or from below.
+    fn plane(&self, word: usize, upper: bool) -> &[u64] {
+        let start = (2 * word + usize::from(upper)) * self.layout.capacity;
+        self.bits.get(start..start + self.used).unwrap_or(&[])
+    }
+
+    /// The infeasible samples that a form excludes.
+    pub(in crate::learn::version_space) fn excluded(&self, side: &Side) -> Set {
+        let mut set = [0; MAX_WORDS];
+        for (word, slot) in set.iter_mut().enumerate().take(self.words()) {
+            *slot = self
+                .plane(word, side.upper)
+                .get(side.form as usize)
+                .copied()
+                .unwrap_or(0);
+        }
+        set
+    }
+
+    /// Calls `visit` with every form from both directions and the number of
+    /// infeasible samples of `wanted` that it excludes, unless it is zero.
+    pub(in crate::learn::version_space) fn for_each_count(
+        &self,
+        wanted: &Set,
+        mut visit: impl FnMut(Side, u32),
+    ) {
+        let words = self.words();
+        for upper in [true, false] {
+            let start = usize::from(upper) * self.layout.capacity;
+            let planes = self.bits.get(start..).unwrap_or(&[]);
+            for run in self.layout.runs() {
+                for (form, column) in run.forms.clone().zip(run.columns.clone()) {
+                    let own = planes
+                        .iter()
+                        .skip(form)
+                        .step_by((2 * self.layout.capacity).max(1));
+                    let own = own.zip(wanted).take(words);
+                    let count = own.map(|(word, wanted)| (word & wanted).count_ones()).sum();
+                    if count > 0 {
+                        let side = Side {
+                            form: form as u32,
+                            column: column as u16,
+                            left: run.left as u8,
+                            level: run.level as u8,
+                            upper,
+                        };
+                        visit(side, count);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! Taking samples in: S widens, and the sets of excluded samples follow.
+
+use super::{Forms, Known, MAX_TRIM, Sample};
+use crate::error::Error;
+use crate::real::Real;
+
+impl<R: Real> Forms<'_, R> {
+    /// Takes a sample at which the steps before `worked` worked, and that one
+    /// failed unless it is `None`.
+    pub(in crate::learn::version_space) fn add(
+        &mut self,
+        instance: usize,
+        lefts: &[R],
+        worked: usize,
+        failed: Option<usize>,
+    ) -> Result<(), Error> {
+        let index = self.samples.len();
+        let (word, bit) = (index / 64, 1u64 << (index % 64));
+        let full = Error::CapacityExceeded("samples");
+        self.samples.push(Sample {
+            instance: u32::try_from(instance).map_err(|_| full)?,
+        })?;
+        let row = self
+            .rows
+            .chunks_exact_mut(self.left_count.max(1))
+            .nth(index);
+        for (slot, value) in row.unwrap_or(&mut []).iter_mut().zip(lefts) {
+            *slot = *value;
+        }
+        if bit == 1 {
+            let start = 2 * word * self.layout.capacity;
+            let planes = self.bits.get_mut(start..).unwrap_or(&mut []);
+            planes
+                .iter_mut()
+                .take(2 * self.layout.capacity)
+                .for_each(|word| *word = 0);
+        }
+        for step in 0..worked {
+            let own = self
+                .steps
+                .get_mut(step)
+                .and_then(|s| s.feasible.get_mut(word));
+            if let Some(own) = own {
+                *own |= bit;
+            }
+            self.widen(instance, lefts, step);
+        }
+        if let Some(step) = failed {
+            let own = self
+                .steps
+                .get_mut(step)
+                .and_then(|s| s.infeasible.get_mut(word));
+            if let Some(own) = own {
+                *own |= bit;
+            }
+            self.note_excluded(instance, lefts, step, word, bit);
+        }
+        Ok(())
+    }
+
+    /// Widens S of every form by a feasible sample. Forms that were widened may
+    /// exclude less.
+    fn widen(&mut self, instance: usize, lefts: &[R], step: usize) {
+        let capacity = self.layout.capacity;
+        let Some(own) = self.steps.get(step).copied() else {
+            return;
+        };
+        let words = self.words();
+        let known = Known {
+            instances: self.instances,
+            width: self.width,
+            rows: self.rows,
+            left_count: self.left_count,
+            samples: self.samples.as_slice(),
+        };
+        let rights = known.rights(instance);
+        let spans = self.spans.get_mut(step * capacity..).unwrap_or(&mut []);
+        for run in self.layout.runs() {
+            let left = lefts.get(run.left).copied().unwrap_or(R::NAN);
+            let spans = spans.get_mut(run.forms.clone()).unwrap_or(&mut []);
+            let rights = rights.get(run.columns.clone()).unwrap_or(&[]);
+            for (at, (span, right)) in spans.iter_mut().zip(rights).enumerate() {
+                let value = left - *right;
+                if value >= span.low && value <= span.high {
+                    continue;
+                }
+                let column = run.columns.start + at;
+                if own.trim == 0 {
+                    span.low = span.low.min(value);
+                    span.high = span.high.max(value);
+                } else {
+                    *span = known.span(run.left, column, &own);
+                }
+                let form = run.forms.start + at;
+                known.settle_bits(
+                    self.bits, capacity, words, form, run.left, column, span, &own,
+                );
+            }
+        }
+    }
+
+    /// Ignores so many of the most extreme feasible samples of a step.
+    pub(in crate::learn::version_space) fn set_trim(&mut self, step: usize, trim: usize) {
+        let capacity = self.layout.capacity;
+        let Some(own) = self.steps.get_mut(step) else {
+            return;
+        };
+        own.trim = trim.min(MAX_TRIM);
+        let own = *own;
+        let words = self.words();
+        let known = Known {
+            instances: self.instances,
+            width: self.width,
+            rows: self.rows,
+            left_count: self.left_count,
+            samples: self.samples.as_slice(),
+        };
+        let spans = self.spans.get_mut(step * capacity..).unwrap_or(&mut []);
+        for run in self.layout.runs() {
+            let spans = spans.get_mut(run.forms.clone()).unwrap_or(&mut []);
+            for (at, span) in spans.iter_mut().enumerate() {
+                let (form, column) = (run.forms.start + at, run.columns.start + at);
+                *span = known.span(run.left, column, &own);
+                known.settle_bits(
+                    self.bits, capacity, words, form, run.left, column, span, &own,
+                );
+            }
+        }
+    }
+
+    pub(in crate::learn::version_space) fn trim(&self, step: usize) -> usize {
+        self.steps.get(step).map_or(0, |s| s.trim)
+    }
+
+    /// Notes which forms exclude an infeasible sample.
+    fn note_excluded(&mut self, instance: usize, lefts: &[R], step: usize, word: usize, bit: u64) {
+        let capacity = self.layout.capacity;
+        let rights = self.instances.chunks_exact(self.width.max(1)).nth(instance);
+        let rights = rights.unwrap_or(&[]);
+        let spans = self.spans.get(step * capacity..).unwrap_or(&[]);
+        let planes = self.bits.get_mut(2 * word * capacity..).unwrap_or(&mut []);
+        let Some((below, above)) = planes.split_at_mut_checked(capacity) else {
+            return;
+        };
+        for run in self.layout.runs() {
+            let left = lefts.get(run.left).copied().unwrap_or(R::NAN);
+            let spans = spans.get(run.forms.clone()).unwrap_or(&[]);
+            let rights = rights.get(run.columns.clone()).unwrap_or(&[]);
+            let below = below.get_mut(run.forms.clone()).unwrap_or(&mut []);
+            let above = above.get_mut(run.forms.clone()).unwrap_or(&mut []);
+            let sides = below.iter_mut().zip(above);
+            for ((span, right), (below, above)) in spans.iter().zip(rights).zip(sides) {
+                let value = left - *right;
+                *below |= if span.excludes(value, false) { bit } else { 0 };
+                *above |= if span.excludes(value, true) { bit } else { 0 };
+            }
+        }
+    }
+}

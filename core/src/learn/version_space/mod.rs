@@ -1,0 +1,395 @@
+//! The sound learner: every explanation of the answers, and questions that tell
+//! them apart.
+//!
+//! *Forms.* A form is a difference `left - right` of a feature of the sample and
+//! a feature of the instance, or nothing. A constraint bounds a form from one
+//! side. The thresholds that agree with the answers are an interval [S, G): S is
+//! the extreme value over the feasible samples, G that of the first infeasible
+//! sample that the constraint has to exclude (Mitchell 1982).
+//!
+//! *Soundness.* A feasible sample satisfies every constraint, so it widens S of
+//! every form; a form that excludes nothing is harmless. An infeasible sample
+//! only says that some constraint fails, so it deletes nothing: it is kept, and
+//! every explanation must exclude it. S of every form and the list of infeasible
+//! samples are the whole version space (Hirsh, Mishra and Pitt 1997; Hirsh 1992).
+//!
+//! *Explanations* are the fewest and simplest forms that exclude all infeasible
+//! samples, by greedy set cover (Haussler 1988; the set covering machine of
+//! Marchand and Shawe-Taylor 2002). A committee of them, blurred by chance, votes
+//! on candidates, and where the vote is split is asked (query by committee,
+//! Seung, Opper and Sompolinsky 1992); where all agree, in the widest gap between
+//! S and G. Some questions look anywhere, for a gap that nobody suspects.
+//!
+//! *Soft boundaries.* Some actions work now and then just beyond a boundary, or fail
+//! just before it. Where [`Config::slack`] allows, few extreme feasible samples do
+//! not widen S, and few infeasible ones just inside of a bound are excused; each
+//! has its price. Without slack, or without such samples, the region agrees with
+//! every answer.
+//!
+//! *Names.* If the simplest constant expression of the grammar in [S, G) is the
+//! only one of its kind, it is the threshold: measurements then end in exact
+//! values.
+//!
+//! *Chains.* An answer says which step of a sequence of actions failed. A sample
+//! is feasible for every step before, infeasible for that one, and says nothing
+//! about later ones. Each step has S and explanations of its own; the region is
+//! the conjunction.
+//!
+//! *Wrong answers.* With a configured rate of noise a sample is asked again until
+//! one answer leads by so much that doubt is negligible (sequential test, Wald
+//! 1945): noise costs answers, not soundness.
+//!
+//! *Certificate.* The last questions are uniform draws from the region. As long as
+//! they work the region is not touched; one that fails changes it, and counting
+//! begins anew. So the draws are independent of the region that they certify
+//! (Clopper and Pearson 1934).
+//!
+//! *Honesty.* There is no region if an infeasible sample is excluded by no form,
+//! if the explanation is too complex for the number of samples that it explains,
+//! or if no instance has both feasible and infeasible samples: then the parameters
+//! were not shown to matter.
+
+mod ask;
+mod certificate;
+mod config;
+mod cover;
+mod deliberate;
+mod explain;
+mod forms;
+mod greedy;
+mod name;
+mod question;
+
+pub use certificate::Certificate;
+pub use config::{Capacity, Config, Evidence, Memory, Report};
+pub use cover::Cover;
+pub use forms::{Sample, Span};
+
+use super::log::Observation;
+use super::problem::Problem;
+use super::{Answer, Learner, Query};
+use crate::domain::{CHECKSUM, Domain, PointSet, Scene};
+use crate::error::Error;
+use crate::grammar::{Features, Formula};
+use crate::random::{Generator, generator};
+use crate::real::Real;
+use crate::region::Region;
+use crate::table::Table;
+use cover::MEMBERS;
+use explain::Support;
+use forms::{Forms, Storage};
+
+/// The most complex features that forms are made of.
+const COMPLEXITY: usize = 2;
+/// Infeasible samples that a constraint needs to be believed.
+const SUPPORT: usize = 2;
+/// By how much more likely an answer must be than its opposite.
+const BEYOND_DOUBT: f64 = 10_000.0;
+/// Explanations that compete to be the final one.
+const CANDIDATES: usize = 16;
+
+/// A question and what is known of its answer.
+#[derive(Clone, Copy, Debug)]
+struct Pending {
+    query: Query,
+    /// How many more answers said feasible than infeasible.
+    lead: i32,
+    /// The step that failed last.
+    failed_step: u32,
+    /// Whether it is drawn from the region, to certify it.
+    certifying: bool,
+}
+
+/// The sound learner. See the [module](self).
+#[derive(Debug)]
+pub struct VersionSpace<'m, R> {
+    config: Config,
+    capacity: Capacity,
+    forms: Forms<'m, R>,
+    /// Explanations, the best of each step first.
+    covers: &'m mut [Cover<R>],
+    observations: Table<'m, Observation>,
+    rng: Generator,
+    pending: Option<Pending>,
+    problem: Option<u32>,
+    /// How far one answer must lead.
+    needed_lead: i32,
+    /// Whether some instance has feasible and infeasible samples.
+    influence: bool,
+    certifying: bool,
+    /// Whether the best explanations won an election and still hold.
+    elected: bool,
+    region: Region,
+    support: Support,
+    report: Report,
+}
+
+impl<'m, R: Real> VersionSpace<'m, R> {
+    /// A learner about the parameters of `domain`, with the room of `capacity`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] if a table of `memory` is shorter than
+    /// `capacity` needs, or for a configuration out of range.
+    pub fn new(
+        domain: &Domain<'_>,
+        config: Config,
+        capacity: Capacity,
+        memory: Memory<'m, R>,
+    ) -> Result<Self, Error> {
+        config.check()?;
+        capacity.check()?;
+        let Memory {
+            features,
+            values,
+            columns,
+            instances,
+            spans,
+            bits,
+            rows,
+            covers,
+            samples,
+            observations,
+        } = memory;
+        let features = cut(features, capacity.features())?;
+        let values = cut(values, capacity.features())?;
+        let covers = cut(covers, capacity.covers())?;
+        covers.fill(Cover::default());
+        let forms = Forms::new(Storage {
+            features: Features::enumerate_up_to(domain, COMPLEXITY, features, values)?,
+            columns: cut(columns, capacity.features())?,
+            instances: cut(instances, capacity.instance_values())?,
+            spans: cut(spans, capacity.spans())?,
+            bits: cut(bits, capacity.bits())?,
+            rows: cut(rows, capacity.rows())?,
+            samples: cut(samples, capacity.observations)?,
+            forms: capacity.forms,
+            lefts: capacity.lefts(),
+        });
+        Ok(VersionSpace {
+            observations: Table::new(cut(observations, capacity.observations)?, "observations"),
+            rng: generator(config.seed),
+            needed_lead: needed_lead(config.noise),
+            config,
+            capacity,
+            forms,
+            covers,
+            pending: None,
+            problem: None,
+            influence: false,
+            certifying: false,
+            elected: false,
+            region: Region::new(domain, Formula::everything()),
+            support: Support::new(),
+            report: Report::default(),
+        })
+    }
+
+    /// The configuration it was made with.
+    pub fn config(&self) -> &Config {
+        &self.config
+    }
+
+    /// How learning went so far.
+    pub fn report(&self) -> Report {
+        self.report
+    }
+
+    /// What supports each constraint of the region, in their order.
+    pub fn evidence(&self) -> &[Evidence] {
+        &self.support
+    }
+
+    fn is_explained(&self) -> bool {
+        let constraints: usize = self
+            .covers
+            .iter()
+            .step_by(MEMBERS)
+            .map(|c| c.chosen.len())
+            .sum();
+        self.report.feasible > 0
+            && constraints > 0
+            && self.influence
+            && self.report.infeasible >= SUPPORT * constraints
+            && self
+                .covers
+                .iter()
+                .step_by(MEMBERS)
+                .all(|cover| cover.complete)
+    }
+
+    /// Takes a sample whose answer is beyond doubt.
+    fn learn(&mut self, problem: &Problem<'_>, pending: &Pending) -> Result<(), Error> {
+        let query = &pending.query;
+        let instance = problem.instance(query.instance)?;
+        let scene = Scene::new(problem.domain(), instance, PointSet::all(problem.domain()))?;
+        let lefts = self.forms.evaluate(&scene, &query.theta);
+        let feasible = pending.lead > 0;
+        let failed = if feasible {
+            self.report.feasible += 1;
+            self.capacity.steps
+        } else {
+            self.report.infeasible += 1;
+            pending.failed_step.saturating_sub(1) as usize
+        };
+        let worked = failed;
+        let failed = (!feasible).then_some(failed);
+        self.forms.add(query.instance, &lefts, worked, failed)?;
+        self.note_influence(query, feasible);
+        self.mend_best();
+        self.excuse();
+        let Certificate {
+            mut draws,
+            feasible: mut worked,
+            ..
+        } = self.report.certificate;
+        if pending.certifying {
+            draws += 1;
+            worked += u32::from(feasible);
+        }
+        if !(pending.certifying && feasible) {
+            let before = self.region.clone();
+            self.rebuild_region(problem.domain())?;
+            if self.region != before {
+                (draws, worked) = (0, 0);
+            }
+        }
+        self.report.certificate = Certificate::new(draws, worked, self.config.confidence);
+        Ok(())
+    }
+
+    fn note_influence(&mut self, query: &Query, feasible: bool) {
+        let differs = |o: &Observation| {
+            o.instance as usize == query.instance
+                && (o.failed_step == 0) != feasible
+                && o.theta != query.theta
+        };
+        self.influence |= !self.influence && self.observations.as_slice().iter().any(differs);
+    }
+
+    fn check_step(&self, answer: Answer) -> Result<(), Error> {
+        match answer {
+            Answer::FailedStep(step) if step as usize > self.capacity.steps => Err(
+                Error::InvalidArgument("the learner has room for fewer steps than this one"),
+            ),
+            _ => Ok(()),
+        }
+    }
+}
+
+fn cut<T>(table: &mut [T], length: usize) -> Result<&mut [T], Error> {
+    table.get_mut(..length).ok_or(Error::InvalidArgument(
+        "the learner needs more memory for this capacity",
+    ))
+}
+
+/// How far one answer must lead to be beyond doubt.
+fn needed_lead(noise: f64) -> i32 {
+    let ratio = (1.0 - noise) / noise;
+    let mut likelihood = ratio;
+    let mut lead = 1;
+    while likelihood < BEYOND_DOUBT && lead < 32 {
+        likelihood *= ratio;
+        lead += 1;
+    }
+    lead
+}
+
+impl<R: Real> Learner for VersionSpace<'_, R> {
+    fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
+        if self.problem.is_none() {
+            self.forms.settle(problem)?;
+            self.report.forms = self.forms.len();
+            self.report.forms_left_out = self.forms.left_out();
+            self.problem = Some(problem.fingerprint());
+        }
+        if self.problem != Some(problem.fingerprint()) {
+            return Err(Error::Mismatch(
+                "the domain or the instances changed while learning",
+            ));
+        }
+        let pending = match self.pending {
+            Some(pending) => pending,
+            None => self.next_query(problem)?,
+        };
+        self.pending = Some(pending);
+        Ok(pending.query)
+    }
+
+    fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error> {
+        let Some(mut pending) = self.pending else {
+            return Err(Error::OutOfSequence("ask for a sample before telling"));
+        };
+        if self.problem != Some(problem.fingerprint()) {
+            return Err(Error::Mismatch(
+                "the domain or the instances changed while learning",
+            ));
+        }
+        self.check_step(answer)?;
+        self.observations
+            .push(Observation::new(&pending.query, answer)?)?;
+        self.report.calls += 1;
+        match answer {
+            Answer::Feasible => pending.lead += 1,
+            Answer::FailedStep(step) => {
+                pending.lead -= 1;
+                pending.failed_step = step;
+            }
+        }
+        if pending.lead.abs() < self.needed_lead {
+            self.pending = Some(pending);
+            return Ok(());
+        }
+        self.pending = None;
+        self.learn(problem, &pending)?;
+        if self.is_finished() && !self.certifying {
+            self.elect(problem.domain())?;
+        }
+        Ok(())
+    }
+
+    fn is_finished(&self) -> bool {
+        self.calls_left() == 0
+    }
+
+    fn region(&self) -> Result<&Region, Error> {
+        if self.is_explained() {
+            Ok(&self.region)
+        } else {
+            Err(Error::NoRegion)
+        }
+    }
+
+    fn observations(&self) -> &[Observation] {
+        self.observations.as_slice()
+    }
+
+    fn room(&self) -> usize {
+        self.observations.capacity()
+    }
+
+    fn fingerprint(&self) -> u32 {
+        let mut digest = CHECKSUM.digest();
+        digest.update(b"version_space");
+        let Capacity {
+            forms,
+            observations: _,
+            instances: _,
+            steps,
+        } = self.capacity;
+        for number in [self.config.seed, forms as u64, steps as u64] {
+            digest.update(&number.to_le_bytes());
+        }
+        for number in [self.config.calls, self.config.certifying] {
+            digest.update(&number.to_le_bytes());
+        }
+        for number in [
+            self.config.exploring,
+            self.config.noise,
+            self.config.slack,
+            self.config.confidence,
+        ] {
+            digest.update(&number.to_bits().to_le_bytes());
+        }
+        digest.finalize()
+    }
+}

@@ -1,0 +1,309 @@
+//! Which sample to ask about next.
+//!
+//! Query by committee (Seung, Opper and Sompolinsky 1992): candidates are drawn,
+//! and the one that splits the votes of several explanations most evenly is asked.
+//! Where all agree, the widest gap between the bounds of a constraint is halved.
+//! Where all gaps are narrow, the constraints are put to the test in another
+//! instance, just inside or just outside of their bounds: a constraint that fits
+//! the instances by chance does not survive that.
+
+use super::cover::{Chosen, Cover, MEMBERS};
+use super::forms::{Forms, Lefts};
+use crate::domain::{MAX_PARAMETERS, PointSet, Scene};
+use crate::error::Error;
+use crate::learn::{Observation, Problem, Query};
+use crate::random::{Generator, below, uniform, uniform_in};
+use crate::real::Real;
+use crate::region::Theta;
+use rand_core::Rng;
+
+/// Instances that candidates are drawn in, and candidates in each.
+const GROUPS: usize = 12;
+const EACH: usize = 8;
+
+/// Tries to find a sample at a certain value of a form.
+const TRIES: usize = 32;
+/// How often the way to it is halved.
+const HALVINGS: usize = 24;
+/// A gap is narrow below this share of what a form ranges over.
+const NARROW: f64 = 0.002;
+
+/// What is known when a question is chosen.
+pub(super) struct Choice<'c, 'm, R> {
+    pub(super) forms: &'c Forms<'m, R>,
+    /// Explanations, those of one step together.
+    pub(super) covers: &'c [Cover<R>],
+    pub(super) observations: &'c [Observation],
+}
+
+/// Uniform in the parameter space.
+pub(super) fn anywhere(problem: &Problem<'_>, rng: &mut Generator) -> Query {
+    Query {
+        instance: below(rng, problem.count()),
+        theta: any_theta(problem, rng),
+    }
+}
+
+fn any_theta(problem: &Problem<'_>, rng: &mut Generator) -> Theta {
+    let mut theta = [0.0; MAX_PARAMETERS];
+    for (value, p) in theta.iter_mut().zip(problem.domain().parameters()) {
+        *value = uniform_in(rng, p.low, p.high);
+    }
+    theta
+}
+
+fn between(a: &Theta, b: &Theta, share: f64) -> Theta {
+    let mut theta = *a;
+    for (value, b) in theta.iter_mut().zip(b) {
+        *value += (*b - *value) * share;
+    }
+    theta
+}
+
+impl<R: Real> Choice<'_, '_, R> {
+    /// The best candidate, if there is a reason to ask one.
+    pub(super) fn best(
+        &self,
+        problem: &Problem<'_>,
+        rng: &mut Generator,
+    ) -> Result<Option<Query>, Error> {
+        let points = PointSet::all(problem.domain());
+        let mut split: Option<(usize, Query)> = None;
+        for _ in 0..GROUPS {
+            let instance = below(rng, problem.count());
+            let scene = Scene::new(problem.domain(), problem.instance(instance)?, points)?;
+            for candidate in 0..EACH {
+                let theta = if candidate % 2 == 0 {
+                    any_theta(problem, rng)
+                } else {
+                    self.between_samples(problem, instance, rng)
+                };
+                let lefts = self.forms.evaluate(&scene, &theta);
+                let query = Query { instance, theta };
+                let votes = self.votes(instance, &lefts);
+                let evenness = votes * (MEMBERS - votes);
+                let better = evenness > split.map_or(0, |(most, _)| most);
+                if better && !self.is_settled(instance, &lefts) {
+                    split = Some((evenness, query));
+                }
+            }
+        }
+        if let Some((_, query)) = split {
+            return Ok(Some(query));
+        }
+        if let Some((share, chosen)) = self.widest_gap()
+            && share > NARROW
+        {
+            let middle = chosen.inner + (chosen.outer - chosen.inner) * R::from_f64(0.5);
+            let query = self.at_value(problem, chosen, middle, |_| false, rng)?;
+            if query.is_some() {
+                return Ok(query);
+            }
+        }
+        self.test(problem, rng)
+    }
+
+    /// Whether a sample lies where a bound of the best explanation is known as well
+    /// as needed. Others put it slightly elsewhere; that is not worth a question.
+    fn is_settled(&self, instance: usize, lefts: &Lefts<R>) -> bool {
+        self.best_chosen().any(|chosen| {
+            let margin = chosen.range * R::from_f64(NARROW);
+            let value = self.forms.value(&chosen.side, instance, lefts);
+            chosen.outer - chosen.inner <= margin
+                && value >= chosen.inner - margin
+                && value <= chosen.outer + margin
+        })
+    }
+
+    /// The best explanations.
+    fn best_chosen(&self) -> impl Iterator<Item = &Chosen<R>> {
+        self.covers
+            .iter()
+            .step_by(MEMBERS)
+            .flat_map(|cover| &cover.chosen)
+    }
+
+    /// The constraint with the widest gap, relative to its range.
+    fn widest_gap(&self) -> Option<(f64, &Chosen<R>)> {
+        let share = |c: &Chosen<R>| ((c.outer - c.inner) / c.range).to_f64();
+        let finite = self
+            .best_chosen()
+            .map(|c| (share(c), c))
+            .filter(|(s, _)| s.is_finite());
+        finite.fold(None, |widest, (share, chosen)| match widest {
+            Some((most, _)) if most >= share => widest,
+            _ => Some((share, chosen)),
+        })
+    }
+
+    /// A sample just inside or just outside of one constraint, where none of the
+    /// instance is yet.
+    fn test(&self, problem: &Problem<'_>, rng: &mut Generator) -> Result<Option<Query>, Error> {
+        let Some(chosen) = self
+            .best_chosen()
+            .nth(below(rng, self.best_chosen().count()))
+        else {
+            return Ok(None);
+        };
+        let margin = chosen.range * R::from_f64(NARROW);
+        let off = margin * R::from_f64(0.5 * uniform(rng));
+        let inside = rng.next_u32() & 1 == 0;
+        let (value, ends) = if inside {
+            let least = chosen.inner - margin * R::from_f64(0.5);
+            (chosen.inner - off, [least, chosen.inner])
+        } else {
+            let most = chosen.outer + margin * R::from_f64(0.5);
+            (chosen.outer + off, [chosen.outer, most])
+        };
+        let [low, high] = ends;
+        let tested = |instance: usize| {
+            let near = |sample: &usize| {
+                let value = self.forms.value_at(&chosen.side, *sample);
+                self.forms.instance_of(*sample) == instance && low <= value && value <= high
+            };
+            (0..self.forms.samples()).any(|sample| near(&sample))
+        };
+        self.at_value(problem, chosen, value, tested, rng)
+    }
+
+    /// Of some candidates, the one farthest from all samples of its instance: what
+    /// nobody suspects is found there. Every other time only candidates count that
+    /// the best explanation admits, because a gap in it does most harm.
+    pub(super) fn farthest(
+        &self,
+        problem: &Problem<'_>,
+        rng: &mut Generator,
+    ) -> Result<Option<Query>, Error> {
+        let points = PointSet::all(problem.domain());
+        let mut best: Option<(f64, Query)> = None;
+        let everywhere = rng.next_u32() & 1 == 0;
+        for _ in 0..GROUPS {
+            let instance = below(rng, problem.count());
+            let scene = Scene::new(problem.domain(), problem.instance(instance)?, points)?;
+            for _ in 0..EACH {
+                let theta = any_theta(problem, rng);
+                let lefts = self.forms.evaluate(&scene, &theta);
+                let inside = |c: &Chosen<R>| self.forms.value(&c.side, instance, &lefts) <= c.inner;
+                if !everywhere && !self.best_chosen().all(inside) {
+                    continue;
+                }
+                let query = Query { instance, theta };
+                let distance = self.distance(problem, &query);
+                if best.is_none_or(|(most, _)| distance > most) {
+                    best = Some((distance, query));
+                }
+            }
+        }
+        Ok(best.map(|(_, query)| query))
+    }
+
+    /// The squared distance to the nearest sample of the instance, in units of the
+    /// ranges of the parameters.
+    fn distance(&self, problem: &Problem<'_>, query: &Query) -> f64 {
+        let own = self.observations.iter();
+        let own = own.filter(|o| o.instance as usize == query.instance);
+        let apart = own.map(|o| {
+            let pairs = o
+                .theta
+                .iter()
+                .zip(&query.theta)
+                .zip(problem.domain().parameters());
+            let squares = pairs.map(|((a, b), p)| {
+                let share = (a - b) / (p.high - p.low);
+                share * share
+            });
+            squares.filter(|s| s.is_finite()).sum::<f64>()
+        });
+        apart.fold(f64::INFINITY, f64::min)
+    }
+
+    /// A sample in some instance at which a form of the best explanation has a
+    /// certain value, and which all its other constraints admit.
+    fn at_value(
+        &self,
+        problem: &Problem<'_>,
+        chosen: &Chosen<R>,
+        value: R,
+        skip: impl Fn(usize) -> bool,
+        rng: &mut Generator,
+    ) -> Result<Option<Query>, Error> {
+        let points = PointSet::all(problem.domain());
+        for _ in 0..TRIES {
+            let instance = below(rng, problem.count());
+            if skip(instance) {
+                continue;
+            }
+            let scene = Scene::new(problem.domain(), problem.instance(instance)?, points)?;
+            let beyond = |theta: &Theta| {
+                let lefts = self.forms.evaluate(&scene, theta);
+                self.forms.value(&chosen.side, instance, &lefts) > value
+            };
+            let (mut inside, mut outside) = (any_theta(problem, rng), any_theta(problem, rng));
+            match (beyond(&inside), beyond(&outside)) {
+                (true, false) => core::mem::swap(&mut inside, &mut outside),
+                (false, true) => {}
+                _ => continue,
+            }
+            for _ in 0..HALVINGS {
+                let middle = between(&inside, &outside, 0.5);
+                if beyond(&middle) {
+                    outside = middle;
+                } else {
+                    inside = middle;
+                }
+            }
+            let lefts = self.forms.evaluate(&scene, &inside);
+            let admits = |other: &Chosen<R>| {
+                other.side == chosen.side
+                    || self.forms.value(&other.side, instance, &lefts) <= other.inner
+            };
+            if self.best_chosen().all(admits) {
+                let theta = inside;
+                return Ok(Some(Query { instance, theta }));
+            }
+        }
+        Ok(None)
+    }
+
+    /// On the way between a feasible and an infeasible sample of the instance.
+    fn between_samples(
+        &self,
+        problem: &Problem<'_>,
+        instance: usize,
+        rng: &mut Generator,
+    ) -> Theta {
+        let start = below(rng, self.observations.len());
+        let (before, after) = self
+            .observations
+            .split_at_checked(start)
+            .unwrap_or_default();
+        let find = |feasible: bool| {
+            let own = |o: &&Observation| {
+                o.instance as usize == instance && (o.failed_step == 0) == feasible
+            };
+            after.iter().chain(before).find(own)
+        };
+        let mut theta = any_theta(problem, rng);
+        if let (Some(a), Some(b)) = (find(true), find(false)) {
+            theta = between(&a.theta, &b.theta, uniform(rng));
+        }
+        theta
+    }
+
+    /// How many members of the committee expect the sample to work.
+    fn votes(&self, instance: usize, lefts: &Lefts<R>) -> usize {
+        let half = R::from_f64(0.5);
+        let agrees = |cover: &Cover<R>| {
+            cover.chosen.iter().all(|chosen| {
+                let value = self.forms.value(&chosen.side, instance, lefts);
+                chosen.position(value) < half
+            })
+        };
+        let mut votes = MEMBERS;
+        for member in 0..MEMBERS {
+            let own = self.covers.iter().skip(member).step_by(MEMBERS);
+            votes -= usize::from(!own.into_iter().all(agrees));
+        }
+        votes
+    }
+}

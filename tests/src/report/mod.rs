@@ -1,0 +1,13 @@
+//! How often the learners find the true region, measured by the simulator.
+
+mod judge;
+mod room;
+mod scenario;
+mod statistics;
+mod synthetic;
+
+pub use judge::{Score, Truth};
+pub use room::VersionSpaceRoom;
+pub use scenario::{Scenario, angles, chain, noise, pick};
+pub use statistics::{Run, Statistics};
+pub use synthetic::synthetic;

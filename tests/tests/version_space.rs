@@ -1,0 +1,270 @@
+//! What the version-space learner promises.
+
+use critreg::Error;
+use critreg::domain::Domain;
+use critreg::learn::version_space::{Capacity, Config};
+use critreg::learn::{
+    Answer, Learner, Observation, Problem, Query, VersionSpace, learn_region, resume, save,
+    saved_len,
+};
+use critreg::random::{generator, uniform};
+use critreg::region::Region;
+use critreg_tests::report::{self, VersionSpaceRoom};
+use proptest::prelude::*;
+
+/// Two parameters, so that the region is no interval.
+const TABLE: &str = "
+    object cup  { x: length, y: length }
+    object lamp { x: length, y: length }
+    constant margin = 0.25: length
+    constant table.width = 4.0: length
+    parameter px in [0, 4]: length
+    parameter py in [0, 4]: length
+    point hand = world + (px, py)
+";
+
+const CALLS: u32 = 80;
+
+fn room(calls: u32, instances: usize, steps: usize) -> VersionSpaceRoom {
+    VersionSpaceRoom::new(Capacity {
+        forms: 4000,
+        observations: calls as usize,
+        instances,
+        steps,
+    })
+}
+
+fn config(seed: u64) -> Config {
+    Config {
+        seed,
+        calls: CALLS,
+        ..Config::default()
+    }
+}
+
+fn table_instances(seed: u64, count: usize) -> Vec<f64> {
+    let mut rng = generator(seed);
+    (0..4 * count)
+        .map(|_| 0.5 + 3.0 * uniform(&mut rng))
+        .collect()
+}
+
+/// Clear of the cup, and left of the lamp.
+fn is_clear(instance: &[f64], query: &Query) -> bool {
+    let [cup_x, cup_y, lamp_x, ..] = *instance else {
+        panic!("four numbers")
+    };
+    let [x, y, ..] = query.theta;
+    (x - cup_x).hypot(y - cup_y) >= 0.75 && x <= lamp_x - 0.25
+}
+
+fn text(region: &Region, domain: &Domain<'_>) -> String {
+    let mut text = String::new();
+    region.write(domain, &mut text).unwrap();
+    text
+}
+
+fn admits(region: &Region, problem: &Problem<'_>, o: &Observation) -> bool {
+    let domain = problem.domain();
+    let instance = problem.instance(o.instance as usize).unwrap();
+    let used = domain.parameters().len();
+    region
+        .contains::<f64>(domain, instance, &o.theta[..used])
+        .unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+
+    #[test]
+    fn without_slack_the_region_agrees_with_every_answer(seed in any::<u64>(), limit in 0.1..3.9) {
+        let domain = Domain::parse(TABLE).unwrap();
+        let instances = table_instances(seed, 4);
+        let problem = Problem::new(&domain, &instances, 4).unwrap();
+        let mut room = room(CALLS, 4, 1);
+        let capacity = room.capacity;
+        let config = Config { slack: 0.0, ..config(seed) };
+        let mut learner = VersionSpace::new(&domain, config, capacity, room.lend()).unwrap();
+        while !learner.is_finished() {
+            let query = learner.ask(&problem).unwrap();
+            let instance = problem.instance(query.instance).unwrap();
+            let works = is_clear(instance, &query) && query.theta[1] <= limit;
+            learner.tell(&problem, Answer::from_feasible(works)).unwrap();
+            if let Ok(region) = learner.region() {
+                for o in learner.observations() {
+                    let expected = o.failed_step == 0;
+                    prop_assert_eq!(admits(region, &problem, o), expected, "{:?}", o);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn equal_seeds_ask_the_same_and_a_resumed_learner_goes_on(
+        seed in any::<u64>(), stop in 0u32..CALLS,
+    ) {
+        let domain = Domain::parse(TABLE).unwrap();
+        let instances = table_instances(seed, 3);
+        let problem = Problem::new(&domain, &instances, 3).unwrap();
+        let try_one = |learner: &mut VersionSpace<'_, f64>| {
+            let query = learner.ask(&problem).unwrap();
+            let works = is_clear(problem.instance(query.instance).unwrap(), &query);
+            learner.tell(&problem, Answer::from_feasible(works)).unwrap();
+        };
+        let (mut first, mut second) = (room(CALLS, 3, 1), room(CALLS, 3, 1));
+        let capacity = first.capacity;
+        let mut whole =
+            VersionSpace::new(&domain, config(seed), capacity, first.lend()).unwrap();
+        for _ in 0..stop {
+            try_one(&mut whole);
+        }
+        let mut bytes = vec![0; saved_len(&whole, &problem)];
+        save(&whole, &problem, &mut bytes).unwrap();
+        while !whole.is_finished() {
+            try_one(&mut whole);
+        }
+        let mut part = VersionSpace::new(&domain, config(seed), capacity, second.lend()).unwrap();
+        resume(&mut part, &problem, &bytes).unwrap();
+        while !part.is_finished() {
+            try_one(&mut part);
+        }
+        prop_assert_eq!(part.observations(), whole.observations());
+        prop_assert_eq!(part.region(), whole.region());
+        prop_assert_eq!(part.report(), whole.report());
+    }
+
+    #[test]
+    fn answers_by_chance_give_no_region(seed in any::<u64>(), share in 0.3..0.7) {
+        let scenario = report::pick();
+        let instances = scenario.draw(seed, 4);
+        let problem = Problem::new(&scenario.domain, &instances, 4).unwrap();
+        let mut room = room(100, 4, 1);
+        let capacity = room.capacity;
+        let config = Config { calls: 100, ..config(seed) };
+        let mut learner =
+            VersionSpace::new(&scenario.domain, config, capacity, room.lend()).unwrap();
+        let mut rng = generator(seed ^ 1);
+        let learned = learn_region(&mut learner, &problem, |_, _| {
+            Ok::<_, Error>(Answer::from_feasible(uniform(&mut rng) < share))
+        });
+        prop_assert_eq!(learned, Err(Error::NoRegion));
+    }
+
+    #[test]
+    fn a_parameter_without_influence_gives_no_region(seed in any::<u64>()) {
+        let scenario = report::pick();
+        let instances = scenario.draw(seed, 4);
+        let problem = Problem::new(&scenario.domain, &instances, 4).unwrap();
+        for works in [|_: &Query| true, |_: &Query| false, |q: &Query| q.instance.is_multiple_of(2)] {
+            let mut room = room(60, 4, 1);
+            let capacity = room.capacity;
+            let config = Config { calls: 60, ..config(seed) };
+            let mut learner =
+                VersionSpace::new(&scenario.domain, config, capacity, room.lend()).unwrap();
+            let learned = learn_region(&mut learner, &problem, |_, query| {
+                Ok::<_, Error>(Answer::from_feasible(works(query)))
+            });
+            prop_assert_eq!(learned, Err(Error::NoRegion));
+        }
+    }
+}
+
+#[test]
+fn several_parameters_are_learned_exactly() {
+    let domain = Domain::parse(TABLE).unwrap();
+    let instances = table_instances(5, 8);
+    let problem = Problem::new(&domain, &instances, 8).unwrap();
+    let mut room = room(150, 8, 1);
+    let capacity = room.capacity;
+    let config = Config {
+        calls: 150,
+        ..config(5)
+    };
+    let mut learner = VersionSpace::<f64>::new(&domain, config, capacity, room.lend()).unwrap();
+    learn_region(&mut learner, &problem, |_, query| {
+        let instance = problem.instance(query.instance)?;
+        Ok::<_, Error>(Answer::from_feasible(is_clear(instance, query)))
+    })
+    .unwrap();
+    let learned = text(learner.region().unwrap(), &domain);
+    assert!(learned.contains("px - lamp.x <= -0.25 "), "{learned}");
+    assert!(learned.contains("dist(hand, cup) >= 0.75 "), "{learned}");
+    assert_eq!(learner.evidence().len(), 2);
+    for evidence in learner.evidence() {
+        assert!(evidence.support > 1, "{evidence:?}");
+        assert_ne!(evidence.feasible, evidence.infeasible);
+    }
+    let certificate = learner.report().certificate;
+    assert_eq!(certificate.draws, certificate.feasible);
+    assert!(certificate.lower_bound > 0.7, "{certificate:?}");
+}
+
+#[test]
+fn the_failed_step_makes_a_chain() {
+    let scenario = report::chain();
+    let instances = scenario.draw(1, scenario.instances);
+    let problem = Problem::new(&scenario.domain, &instances, scenario.instances).unwrap();
+    let mut room = room(scenario.calls, scenario.instances, 2);
+    let capacity = room.capacity;
+    let config = Config {
+        calls: scenario.calls,
+        ..config(1)
+    };
+    let mut learner =
+        VersionSpace::<f64>::new(&scenario.domain, config, capacity, room.lend()).unwrap();
+    learn_region(&mut learner, &problem, |_, query| {
+        let instance = problem.instance(query.instance)?;
+        Ok::<_, Error>(scenario.judge(instance, &query.theta[..1]))
+    })
+    .unwrap();
+    let steps: Vec<u32> = learner.evidence().iter().map(|e| e.step).collect();
+    assert!(steps.contains(&1) && steps.contains(&2), "{steps:?}");
+}
+
+#[test]
+fn misuse_is_refused_and_changes_nothing() {
+    let domain = Domain::parse(TABLE).unwrap();
+    let instances = table_instances(1, 2);
+    let problem = Problem::new(&domain, &instances, 2).unwrap();
+    let mut small = room(CALLS, 1, 1);
+    let capacity = small.capacity;
+    let mut learner = VersionSpace::<f64>::new(&domain, config(1), capacity, small.lend()).unwrap();
+    let asked = learner.ask(&problem);
+    assert_eq!(asked, Err(Error::CapacityExceeded("problem instances")));
+    let mut room = room(CALLS, 2, 1);
+    let capacity = room.capacity;
+    let bad = Config {
+        noise: 0.5,
+        ..config(1)
+    };
+    assert!(VersionSpace::<f64>::new(&domain, bad, capacity, room.lend()).is_err());
+    let mut learner = VersionSpace::<f64>::new(&domain, config(1), capacity, room.lend()).unwrap();
+    let told = learner.tell(&problem, Answer::Feasible);
+    assert!(matches!(told, Err(Error::OutOfSequence(_))));
+    let query = learner.ask(&problem).unwrap();
+    for step in [0, 2] {
+        assert!(learner.tell(&problem, Answer::FailedStep(step)).is_err());
+    }
+    assert_eq!(learner.ask(&problem).unwrap(), query);
+    assert_eq!(learner.region(), Err(Error::NoRegion));
+    assert!(learner.observations().is_empty());
+}
+
+#[test]
+fn the_table_of_bytes_is_right() {
+    let capacity = Capacity {
+        forms: 4096,
+        observations: 256,
+        instances: 4,
+        steps: 1,
+    };
+    assert_eq!(
+        capacity.spans() * size_of::<critreg::learn::version_space::Span<f64>>(),
+        16 * 4096
+    );
+    assert_eq!(capacity.bits() * 8, 16 * 4096 * 256 / 64);
+    assert_eq!(capacity.instance_values() * 8, (4096 + 512) * 4);
+    let covers = size_of::<critreg::learn::version_space::Cover<f64>>() * capacity.covers();
+    assert!(covers <= 3072, "{covers}");
+    assert_eq!(size_of::<Observation>(), 56);
+}
