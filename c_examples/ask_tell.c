@@ -5,7 +5,7 @@
  * end with the same region.
  *
  * The action: reach(r) moves a hand r metres forward. A wall stands somewhere
- * ahead, and the hand must come as near to it as 0.5 m without touching it.
+ * ahead, and the hand must not touch it.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -68,15 +68,12 @@ static int go_on(critreg_learner *learner, int samples)
 
 static critreg_learner *new_learner(uint64_t *memory, size_t memory_len)
 {
-    const double too_near = 0.95, near_enough = 0.85;    /* in the first instance */
     critreg_config config;
     critreg_learner *learner;
 
     CHECK(critreg_config_init(&config, sizeof config));
     config.seed = 1;
     config.iterations = 40;
-    config.negative = &too_near;
-    config.positive = &near_enough;
     CHECK(critreg_learner_init(memory, memory_len, DOMAIN, &config, &learner));
     return learner;
 }

@@ -26,11 +26,8 @@ static critreg_outcome close_gripper(const double *instance, const double *theta
 }
 
 static critreg::Region learn_openings() {
-    const double too_narrow = 0.022, wide_enough = 0.035; // for the first peg
     critreg_config config = critreg::Learner::default_config();
     config.iterations = 40;
-    config.negative = &too_narrow;
-    config.positive = &wide_enough;
     critreg::Learner learner(DOMAIN, config);
 
     // An exception of the simulator comes through, and learning can go on.
@@ -45,9 +42,14 @@ static critreg::Region learn_openings() {
     }
     critreg::Region region = learner.learn(pegs, close_gripper);
     const critreg_report report = learner.report();
-    std::printf("samples: %llu, feasible: %llu\n",
+    std::printf("samples: %llu, feasible: %llu; at least %.3f of the region works\n",
                 static_cast<unsigned long long>(report.calls),
-                static_cast<unsigned long long>(report.feasible));
+                static_cast<unsigned long long>(report.feasible),
+                report.certificate_lower_bound);
+    for (const critreg::Constraint &constraint : learner.constraints())
+        std::printf("constraint: %s; feasible from %.5f, infeasible to %.5f, name: %s\n",
+                    constraint.text.c_str(), constraint.evidence.feasible,
+                    constraint.evidence.infeasible, constraint.name.c_str());
     return region;
 }
 

@@ -19,7 +19,8 @@
 #define PLACES 6            /* tables to learn from */
 #define TABLES 50           /* tables to try, */
 #define DRAWS 200           /* and draws on each of them */
-#define SEEDS 100           /* how often learning is tried */
+#define CALLS 200           /* calls of the simulator */
+#define SEEDS 10            /* how often learning is tried */
 
 static const char DOMAIN[] =
     "object box { x: length, y: length }     # an instance is two numbers\n"
@@ -144,8 +145,7 @@ static void print_rate(const char *key, const critreg_region *region)
 /* Learns from tables of its own; NULL if nothing was learned. */
 static const critreg_region *learn(uint64_t seed, int *calls)
 {
-    static uint64_t memory[CRITREG_LEARNER_WORDS(20000, 256)];
-    const double negative[2] = {0.0, 2.0}, positive[2] = {1.2, 0.3};
+    static uint64_t memory[CRITREG_LEARNER_WORDS(4096, CALLS)];
     double instances[PLACES][2];
     critreg_rng rng = critreg_rng_seed(seed);
     critreg_config config;
@@ -158,9 +158,10 @@ static const critreg_region *learn(uint64_t seed, int *calls)
         new_table(&rng, instances[i]);
     CHECK(critreg_config_init(&config, sizeof config));
     config.seed = seed;
-    config.hypotheses = 20000;
-    config.negative = negative;
-    config.positive = positive;
+    config.hypotheses = 4096;
+    config.observations = CALLS;
+    config.iterations = CALLS;
+    config.slack = 0.05;    /* the truth is no conjunction: a constraint may miss a few */
     CHECK(critreg_learner_init(memory, sizeof memory, DOMAIN, &config, &learner));
     status = critreg_learn_region(learner, &instances[0][0], PLACES, try_place, calls, &region);
     if (status != CRITREG_NO_REGION)
@@ -187,11 +188,12 @@ int main(void)
 
     for (seed = 0; seed < SEEDS; seed++) {
         const critreg_region *region = learn(seed, &calls);
-        if (region != NULL && learned++ == 0) {
-            CHECK(critreg_region_format(region, text, sizeof text, NULL));
-            printf("region of the first seed that learned one: %s\n", text);
-            print_rate("learned region", region);
-        }
+        if (region == NULL)
+            continue;
+        learned++;
+        CHECK(critreg_region_format(region, text, sizeof text, NULL));
+        printf("region of seed %d: %s\n", (int)seed, text);
+        print_rate("learned region", region);
     }
     printf("seeds that learned a region: %d of %d, with %d calls of the simulator\n",
            learned, SEEDS, calls);

@@ -10,6 +10,7 @@
  *     critreg_learner_init     a domain text and memory make a learner
  *     critreg_learn_region     the learner tries samples and finds the region
  *     critreg_region_format    the region as text
+ *     critreg_region_constraint  what supports each constraint
  *     critreg_sample_region    parameters for the action, in an instance
  *
  * This file is the manual. It is generated from the library; do not edit it.
@@ -30,6 +31,19 @@
  * handle, it may reuse the memory for anything.
  *
  * Buffers of one call must not overlap, except that inputs may overlap inputs.
+ *
+ * How much memory a learner takes, with the default instances and steps, on a
+ * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
+ *
+ *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
+ *           1024           128            136800 bytes           37216 bytes
+ *           4096           256            555872 bytes           48992 bytes
+ *          10000           256           1174612 bytes           57828 bytes
+ *          20000           256           2167112 bytes           72832 bytes
+ *
+ * Every further instance takes hypotheses + 512 bytes more, every further step
+ * 16 * hypotheses + 2560 at most. The macros of CRITREG_LEARNER_WORDS() are for
+ * static arrays; they are enough for either learner.
  *
  *
  * CALLS
@@ -77,6 +91,43 @@
  * order of declaration; several instances stand one behind the other. A sample,
  * theta, is one number per parameter, at most CRITREG_MAX_PARAMETERS.
  * The same inputs and seed give the same results on every machine.
+ *
+ *
+ * LEARNERS
+ *
+ * CRITREG_VERSION_SPACE, the default, is sound. Its hypotheses are forms: a feature
+ * that the sample moves, such as a coordinate or distance of a point, minus one of
+ * the instance, or nothing. A constraint bounds a form from one side. S is the
+ * form's extreme value over the feasible samples, so a bound cannot be tighter; G
+ * is the value at the first infeasible sample that the constraint has to exclude,
+ * so it must be tighter than that. Infeasible samples delete nothing: some
+ * constraint must exclude each. The region is the fewest and simplest constraints
+ * that do; the questions are those about which explanations disagree, and then
+ * those that halve the gap between S and G. If exactly one simplest expression of
+ * the domain's constants lies in the gap, it is the bound, and its name is printed
+ * behind it. critreg_region_constraint() tells S, G and the number of infeasible
+ * samples for each constraint.
+ *
+ * The last questions (critreg_config.certifying) are draws from the region. What
+ * they prove about it is in the report: the certificate.
+ *
+ * Sequences of actions: if the action is a chain, say in critreg_config.steps how
+ * many steps it has, and answer with the number of the step that failed. Each step
+ * is learned from the samples that reached it, and the region is what all of them
+ * need.
+ *
+ * Wrong answers: if a share of the answers is wrong, say so in
+ * critreg_config.noise. Every sample is then asked until one answer leads by enough
+ * (sequential test): about 3 answers per sample with 2% of wrong ones, 6 with 10%.
+ * Allow for as many more iterations.
+ *
+ * CRITREG_NO_REGION is an honest answer: no form excludes some infeasible sample,
+ * the explanation is too complex for what it explains, or the parameters were not
+ * shown to matter. Keep the original sampler.
+ *
+ * CRITREG_ALGORITHM1 is the thesis's learner as written, for comparison. It wants
+ * the manual samples critreg_config.negative and .positive, which the other learner
+ * does not need.
  *
  *
  * THE DOMAIN TEXT
@@ -161,16 +212,33 @@
 #include <stdint.h>
 
 /**
- * How many uint64_t make the memory of a learner with room for so many hypotheses
- * and observations, for static arrays; critreg_learner_size() tells the exact
- * number of bytes. The arguments are evaluated once each.
+ * How many uint64_t make the memory of a learner with room for so many hypotheses,
+ * observations, problem instances and steps of an action sequence, for static
+ * arrays. It is enough for either learner; critreg_learner_size() tells the exact
+ * number of bytes.
+ */
+#define CRITREG_LEARNER_WORDS_FOR(hypotheses, observations, instances, steps)  \
+    ((CRITREG_LEARNER_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)   \
+      + ((size_t)(hypotheses) / 8 + 64)                                        \
+            * (CRITREG_FEATURE_BYTES + 8 * (size_t)(instances))                \
+      + (size_t)(hypotheses)                                                   \
+            * (CRITREG_SPAN_BYTES * (size_t)(steps)                            \
+               + 16 * (((size_t)(observations) + 63) / 64))                    \
+      + (size_t)(observations)                                                 \
+            * (CRITREG_OBSERVATION_BYTES + 128                                 \
+               + 8 * ((hypotheses) / 128 < 48 ? (size_t)(hypotheses) / 128     \
+                                              : 48))                           \
+      + (size_t)(steps) * CRITREG_STEP_BYTES + 7) / 8)
+
+/**
+ * The same with room for CRITREG_DEFAULT_INSTANCES instances and one step, which
+ * is what a configuration has unless it tells.
  *
  *     static uint64_t memory[CRITREG_LEARNER_WORDS(4096, 256)];
  */
 #define CRITREG_LEARNER_WORDS(hypotheses, observations)                        \
-    ((CRITREG_LEARNER_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)   \
-      + ((size_t)(hypotheses) / 2 + 1) * 3                                     \
-      + (size_t)(observations) * CRITREG_OBSERVATION_BYTES + 7) / 8)
+    CRITREG_LEARNER_WORDS_FOR(hypotheses, observations,                        \
+                              CRITREG_DEFAULT_INSTANCES, 1)
 
 /**
  * How many uint64_t make the memory of a region that belongs to no learner.
@@ -202,7 +270,7 @@
  * Bytes of a region, on a machine with pointers of 32 bits; for
  * CRITREG_REGION_WORDS.
  */
-#define CRITREG_REGION_FIXED_BYTES 10240
+#define CRITREG_REGION_FIXED_BYTES 10496
 
 /**
  * Pointers in a handle, which take more room on a machine with longer ones; for
@@ -211,9 +279,26 @@
 #define CRITREG_HANDLE_POINTERS 512
 
 /**
- * Bytes of a sample that was told; for CRITREG_LEARNER_WORDS.
+ * Bytes of a sample that was told, apart from its left sides; for
+ * CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_OBSERVATION_BYTES 56
+#define CRITREG_OBSERVATION_BYTES 60
+
+/**
+ * Bytes of a feature, apart from its values in the instances; for
+ * CRITREG_LEARNER_WORDS.
+ */
+#define CRITREG_FEATURE_BYTES 26
+
+/**
+ * Bytes of a form and step; for CRITREG_LEARNER_WORDS.
+ */
+#define CRITREG_SPAN_BYTES 16
+
+/**
+ * Bytes of a step; for CRITREG_LEARNER_WORDS.
+ */
+#define CRITREG_STEP_BYTES 2560
 
 /**
  * Most parameters of an action: an array for theta of this length fits every
@@ -232,11 +317,24 @@
 #define CRITREG_MAX_INTERVALS 66
 
 /**
+ * In a critreg_report: this did not happen (yet), or never does in this learner.
+ */
+#define CRITREG_NOT_RUN UINT64_MAX
+
+/**
  * For critreg_config.learner: the learner of the thesis (Algorithm 1, 4.3). It
  * prunes hypotheses "left comparison right". It is the baseline and it is
  * fragile: often it learns nothing, and says so with CRITREG_NO_REGION.
  */
 #define CRITREG_ALGORITHM1 1
+
+/**
+ * For critreg_config.learner: the sound learner, and the default. It keeps every
+ * explanation of the answers, asks where they disagree, names the thresholds it
+ * finds, says what supports each constraint, and certifies the region by draws
+ * from it. Where nothing explains the answers it says CRITREG_NO_REGION.
+ */
+#define CRITREG_VERSION_SPACE 2
 
 /**
  * Observations a learner has room for unless the configuration tells: this many,
@@ -245,14 +343,30 @@
 #define CRITREG_DEFAULT_OBSERVATIONS 256
 
 /**
+ * Hypotheses that critreg_learner_size() makes room for unless the configuration
+ * tells.
+ */
+#define CRITREG_DEFAULT_HYPOTHESES 4096
+
+/**
  * Most hypotheses that a learner takes without being told how many.
  */
 #define CRITREG_MAX_DEFAULT_HYPOTHESES (1 << 24)
 
 /**
- * In a critreg_report: this did not happen (yet).
+ * Problem instances a learner has room for unless the configuration tells.
  */
-#define CRITREG_NOT_RUN UINT64_MAX
+#define CRITREG_DEFAULT_INSTANCES 16
+
+/**
+ * Most steps of a sequence of actions.
+ */
+#define CRITREG_MAX_STEPS 4
+
+/**
+ * Most observations of CRITREG_VERSION_SPACE.
+ */
+#define CRITREG_MAX_OBSERVATIONS 2048
 
 /**
  * Option of the stick-button environment: robot and stick can turn, and lie at
@@ -279,8 +393,11 @@ typedef struct critreg_region critreg_region;
 typedef int32_t critreg_status;
 
 /**
- * How learning went so far. Counts of hypotheses count every comparison of two
- * features on its own.
+ * How learning went so far.
+ *
+ * CRITREG_VERSION_SPACE counts forms as hypotheses, from the first question on;
+ * it deletes none. CRITREG_ALGORITHM1 counts every comparison of two features on
+ * its own; it ignores no samples and has no certificate, so these are 0.
  */
 typedef struct critreg_report {
     /**
@@ -304,11 +421,13 @@ typedef struct critreg_report {
      */
     uint64_t left_out;
     /**
-     * Hypotheses left after the negative sample, or CRITREG_NOT_RUN.
+     * CRITREG_ALGORITHM1: hypotheses left after the negative sample, or
+     * CRITREG_NOT_RUN.
      */
     uint64_t after_negative;
     /**
-     * Hypotheses left after the positive sample, or CRITREG_NOT_RUN.
+     * CRITREG_ALGORITHM1: hypotheses left after the positive sample, or
+     * CRITREG_NOT_RUN.
      */
     uint64_t after_positive;
     /**
@@ -316,17 +435,41 @@ typedef struct critreg_report {
      */
     uint64_t remaining;
     /**
-     * Samples told: calls of the simulator.
+     * Answers told: calls of the simulator.
      */
     uint64_t calls;
     /**
-     * Samples told that were feasible.
+     * Samples that were feasible. With noise a sample takes several answers, so
+     * that feasible and infeasible ones are fewer than the calls.
      */
     uint64_t feasible;
+    /**
+     * Samples that were infeasible.
+     */
+    uint64_t infeasible;
+    /**
+     * CRITREG_VERSION_SPACE: feasible samples, at most, that a constraint of the
+     * region ignores; see critreg_config.slack.
+     */
+    uint64_t ignored;
     /**
      * Constraints that found no room in the region.
      */
     uint64_t constraints_left_out;
+    /**
+     * The certificate of CRITREG_VERSION_SPACE: this many of the last samples are
+     * independent, uniform draws from the region as it is now.
+     */
+    uint64_t certificate_draws;
+    /**
+     * Those that worked.
+     */
+    uint64_t certificate_feasible;
+    /**
+     * With the configured confidence, at least this share of the region works in
+     * the training instances (Clopper and Pearson 1934); 0 without draws.
+     */
+    double certificate_lower_bound;
 } critreg_report;
 
 /**
@@ -345,6 +488,8 @@ typedef critreg_status (*critreg_progress)(void *progress_data,
  * What a learner does. Fill it with critreg_config_init() and change what you
  * like. Nothing in it is kept after critreg_learner_init() returns, except the
  * progress callback and its data.
+ *
+ * A field of one learner is ignored by the other.
  */
 typedef struct critreg_config {
     /**
@@ -352,7 +497,7 @@ typedef struct critreg_config {
      */
     uint32_t struct_size;
     /**
-     * Which learner: CRITREG_ALGORITHM1.
+     * Which learner: CRITREG_VERSION_SPACE, the default, or CRITREG_ALGORITHM1.
      */
     uint32_t learner;
     /**
@@ -361,34 +506,72 @@ typedef struct critreg_config {
      */
     uint64_t seed;
     /**
-     * Hypotheses to have room for: each takes a quarter of a byte, and 1.25 bytes
-     * for its features. More reach more complex constraints and take more time
-     * per sample. Default 0: what the memory has room for.
+     * Hypotheses to have room for, at least 4: the forms of
+     * CRITREG_VERSION_SPACE, the comparisons of CRITREG_ALGORITHM1. More reach
+     * more complex constraints and take more time per sample. Default 0: what the
+     * memory has room for.
      */
     uint32_t hypotheses;
     /**
-     * Samples to have room for, 56 bytes each. When they are used up, telling
-     * returns CRITREG_CAPACITY_EXCEEDED. Default 0: CRITREG_DEFAULT_OBSERVATIONS,
-     * or iterations + 2 if that is more.
+     * Samples to have room for. When they are used up, telling returns
+     * CRITREG_CAPACITY_EXCEEDED. CRITREG_VERSION_SPACE takes at most
+     * CRITREG_MAX_OBSERVATIONS. Default 0: CRITREG_DEFAULT_OBSERVATIONS, or
+     * iterations + 2 if that is more.
      */
     uint32_t observations;
     /**
-     * Samples that the learner draws itself (K of the thesis). Default 100.
+     * Answers that CRITREG_VERSION_SPACE asks for in all; samples that
+     * CRITREG_ALGORITHM1 draws itself (K of the thesis). Default 100.
      */
     uint32_t iterations;
     /**
-     * Must be 0.
+     * CRITREG_VERSION_SPACE: how many of these answers, the last ones, are about
+     * draws from the region, to certify it. Default 10.
      */
-    uint32_t reserved;
+    uint32_t certifying;
     /**
-     * Parameters that are expected to fail (z- of the thesis), tried first in the
-     * first instance: one number per parameter of the domain, within its range.
-     * Copied. Default NULL: not tried.
+     * CRITREG_VERSION_SPACE: problem instances to have room for, at least 1.
+     * Learning from more returns CRITREG_CAPACITY_EXCEEDED. Default
+     * CRITREG_DEFAULT_INSTANCES.
+     */
+    uint32_t instances;
+    /**
+     * CRITREG_VERSION_SPACE: steps of the sequence of actions that is learned
+     * about, from 1 to CRITREG_MAX_STEPS; see critreg_outcome. Default 1.
+     */
+    uint32_t steps;
+    /**
+     * CRITREG_VERSION_SPACE: share of the answers that is wrong, from 0 to 0.2. If
+     * it is not 0, samples are asked again until the answer is beyond doubt:
+     * noise costs answers. Default 0.
+     */
+    double noise;
+    /**
+     * CRITREG_VERSION_SPACE: share of the questions that look for what nothing
+     * hints at, from 0 to 1. Default 0.1.
+     */
+    double exploring;
+    /**
+     * CRITREG_VERSION_SPACE: share of the feasible samples that a constraint may
+     * ignore if nothing explains the answers otherwise, from 0 to 0.2, for actions
+     * that sometimes work beyond a boundary. With 0 the region has all of them.
+     * Default 0.05.
+     */
+    double slack;
+    /**
+     * CRITREG_VERSION_SPACE: confidence of the certificate, from 0 to 0.9999.
+     * Default 0.95.
+     */
+    double confidence;
+    /**
+     * CRITREG_ALGORITHM1: parameters that are expected to fail (z- of the thesis),
+     * tried first in the first instance: one number per parameter of the domain,
+     * within its range. Copied. Default NULL: not tried.
      */
     const double *negative;
     /**
-     * Parameters that are expected to work (z+ of the thesis), tried next in the
-     * first instance. Copied. Default NULL: not tried.
+     * CRITREG_ALGORITHM1: parameters that are expected to work (z+ of the thesis),
+     * tried next in the first instance. Copied. Default NULL: not tried.
      */
     const double *positive;
     /**
@@ -404,6 +587,10 @@ typedef struct critreg_config {
 /**
  * What came of an action: CRITREG_FEASIBLE, or the number of the step of an
  * action sequence that failed, counted from one.
+ *
+ * CRITREG_VERSION_SPACE learns what each step needs from the samples that reached
+ * it; the steps before the one that failed worked. It accepts numbers up to
+ * critreg_config.steps. CRITREG_ALGORITHM1 makes no difference between steps.
  */
 typedef int32_t critreg_outcome;
 
@@ -427,6 +614,45 @@ typedef critreg_status (*critreg_simulate)(void *user_data,
                                            const double *instance,
                                            const double *theta,
                                            critreg_outcome *outcome);
+
+/**
+ * What supports a constraint of a region: what any other bound would have to
+ * agree with.
+ *
+ * A bound of the constraint's left side fits the observations if it is not inside
+ * of feasible, S, and stays inside of infeasible, G: an upper bound from S to
+ * below G, a lower bound from above G to S. The gap between them is what is not
+ * known.
+ */
+typedef struct critreg_constraint {
+    /**
+     * Size of this struct in bytes, from critreg_constraint_init().
+     */
+    uint32_t struct_size;
+    /**
+     * 1 if CRITREG_VERSION_SPACE learned it and the region still belongs to the
+     * learner; 0 for other regions, of which no more is known. Then the numbers
+     * below are 0, and NAN for S and G.
+     */
+    int32_t has_evidence;
+    /**
+     * The step of the sequence of actions that needs it, from 1.
+     */
+    uint32_t step;
+    /**
+     * How many infeasible samples it excludes.
+     */
+    uint32_t support;
+    /**
+     * S: the extreme value at the feasible samples, apart from those it ignores.
+     */
+    double feasible;
+    /**
+     * G: the value at the first infeasible sample that it alone excludes, or, if
+     * there is none, at the first one that it excludes.
+     */
+    double infeasible;
+} critreg_constraint;
 
 /**
  * A generator of random numbers (PCG XSH-RR 64/32): the same stream on every
@@ -572,6 +798,15 @@ const char *critreg_strerror(critreg_status status);
 const char *critreg_status_name(critreg_status status);
 
 /**
+ * Prepares a report for critreg_learner_report().
+ *
+ * @param report The report.
+ * @param size sizeof *report; see critreg_config_init().
+ * @return As critreg_config_init().
+ */
+critreg_status critreg_report_init(struct critreg_report *report, size_t size);
+
+/**
  * Fills a configuration with the defaults.
  *
  * @param config The configuration.
@@ -583,25 +818,18 @@ const char *critreg_status_name(critreg_status status);
 critreg_status critreg_config_init(struct critreg_config *config, size_t size);
 
 /**
- * Prepares a report for critreg_learner_report().
- *
- * @param report The report.
- * @param size sizeof *report; see critreg_config_init().
- * @return As critreg_config_init().
- */
-critreg_status critreg_report_init(struct critreg_report *report, size_t size);
-
-/**
  * How many bytes of memory a learner takes.
  *
  * Where the capacities are constants, CRITREG_LEARNER_WORDS() sizes a static
  * array instead.
  *
- * @param hypotheses Hypotheses to have room for.
- * @param observations Samples to have room for.
- * @return The number of bytes; 0 if memory cannot be that large.
+ * @param config What the learner is to do, with its capacities; NULL for the
+ * defaults. Where it leaves the number of hypotheses open it is
+ * CRITREG_DEFAULT_HYPOTHESES.
+ * @return The number of bytes; 0 if the configuration is wrong or memory cannot
+ * be that large.
  */
-size_t critreg_learner_size(uint32_t hypotheses, uint32_t observations);
+size_t critreg_learner_size(const struct critreg_config *config);
 
 /**
  * The alignment in bytes that the memory of a learner needs. An array of
@@ -634,8 +862,8 @@ size_t critreg_learner_align(void);
  * CRITREG_CAPACITY_EXCEEDED if the text is longer than CRITREG_DOMAIN_TEXT_MAX
  * or declares too many things; CRITREG_INVALID_ARGUMENT for a domain without
  * parameters, a text that is not UTF-8, a wrong configuration or a manual sample
- * outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual
- * sample; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ * outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual sample
+ * or a share of the configuration; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
  */
 critreg_status critreg_learner_init(void *memory,
                                     size_t memory_len,
@@ -694,9 +922,10 @@ critreg_status critreg_learner_parameter_count(const struct critreg_learner *lea
  * critreg_learner_region() is.
  * @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
  * there is no room for another observation (critreg_learner_region() still has
- * what was learned); the status of a callback that was not CRITREG_OK;
- * CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative or was
- * not written; CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
+ * what was learned) or for so many instances (critreg_config.instances); the status of a callback that was not CRITREG_OK;
+ * CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative, was
+ * not written or is a step that the configuration does not have;
+ * CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
  * if the instances changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER,
  * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
  */
@@ -729,7 +958,8 @@ critreg_status critreg_learn_region(struct critreg_learner *learner,
  * @param instance Receives the index of the instance to try it in.
  * @param theta Receives the parameters: one number each.
  * @return CRITREG_OUT_OF_SEQUENCE if learning is finished; CRITREG_MISMATCH if
- * the instances changed; CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
+ * the instances changed; CRITREG_CAPACITY_EXCEEDED if there is no room for so
+ * many (critreg_config.instances); CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
  * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
  */
 critreg_status critreg_ask(struct critreg_learner *learner,
@@ -747,8 +977,9 @@ critreg_status critreg_ask(struct critreg_learner *learner,
  * @param count How many there are.
  * @param outcome What came of the sample.
  * @return CRITREG_OUT_OF_SEQUENCE if nothing was asked; CRITREG_CAPACITY_EXCEEDED
- * if there is no room for another observation; CRITREG_INVALID_ARGUMENT for a
- * negative outcome; and as critreg_ask().
+ * if there is no room for another observation; CRITREG_INVALID_ARGUMENT for an
+ * outcome that is negative or a step that the configuration does not have; and as
+ * critreg_ask().
  */
 critreg_status critreg_tell(struct critreg_learner *learner,
                             const double *instances,
@@ -772,7 +1003,8 @@ critreg_status critreg_is_finished(const struct critreg_learner *learner,
  * @param region Receives the region. It belongs to the learner and is valid until
  * the next call of critreg_learn_region(), critreg_tell() or
  * critreg_learner_resume() on it; after that using it gives
- * CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own.
+ * CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
+ * what supports its constraints is not saved.
  * @return CRITREG_NO_REGION if no constraint explains the observations;
  * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
  */
@@ -965,6 +1197,93 @@ critreg_status critreg_region_instance_len(const struct critreg_region *region,
  */
 critreg_status critreg_region_parameter_count(const struct critreg_region *region,
                                               size_t *count);
+
+/**
+ * How many constraints a region has: those of its text from left to right,
+ * whatever connects them.
+ *
+ * ```c
+ * size_t count, i;
+ * CHECK(critreg_region_constraint_count(region, &count));
+ * for (i = 0; i < count; i++) {
+ *     critreg_constraint constraint;
+ *     char text[256];
+ *     CHECK(critreg_constraint_init(&constraint, sizeof constraint));
+ *     CHECK(critreg_region_constraint(region, i, &constraint));
+ *     CHECK(critreg_region_constraint_format(region, i, text, sizeof text, NULL));
+ *     printf("%s excludes %u failures\n", text, (unsigned)constraint.support);
+ * }
+ * ```
+ *
+ * @param region The region.
+ * @param count Receives the number, at most CRITREG_MAX_CONSTRAINTS.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_constraint_count(const struct critreg_region *region,
+                                               size_t *count);
+
+/**
+ * Prepares a struct for critreg_region_constraint().
+ *
+ * @param constraint The struct.
+ * @param size sizeof *constraint; see critreg_config_init().
+ * @return As critreg_config_init().
+ */
+critreg_status critreg_constraint_init(struct critreg_constraint *constraint,
+                                       size_t size);
+
+/**
+ * What supports a constraint of a region.
+ *
+ * @param region The region.
+ * @param index Index of the constraint, from 0.
+ * @param constraint A struct from critreg_constraint_init(), to be filled.
+ * @return CRITREG_INVALID_ARGUMENT if there is no constraint with this index or
+ * the struct was not initialised; CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_constraint(const struct critreg_region *region,
+                                         size_t index,
+                                         struct critreg_constraint *constraint);
+
+/**
+ * Writes a constraint of a region as text, with the name of its bound in brackets
+ * if it has one, as in critreg_region_format(). It is itself the text of a region.
+ *
+ * @param region The region.
+ * @param index Index of the constraint, from 0.
+ * @param text Receives the text, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if
+ * the buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written);
+ * CRITREG_INVALID_ARGUMENT if there is no constraint with this index;
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_constraint_format(const struct critreg_region *region,
+                                                size_t index,
+                                                char *text,
+                                                size_t len,
+                                                size_t *needed);
+
+/**
+ * Writes the name of a constraint's bound as text: what it is in terms of the
+ * domain's constants, such as "zone.top - robot.radius".
+ *
+ * @param region The region.
+ * @param index Index of the constraint, from 0.
+ * @param text Receives the text, ended by NUL; an empty text if the bound has no
+ * name.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if
+ * the buffer is too small.
+ * @return As critreg_region_constraint_format().
+ */
+critreg_status critreg_region_constraint_name(const struct critreg_region *region,
+                                              size_t index,
+                                              char *text,
+                                              size_t len,
+                                              size_t *needed);
 
 /**
  * Whether an action with these parameters is expected to work.

@@ -85,6 +85,31 @@ public:
     critreg_rng state;
 };
 
+/** A constraint of a region: its text, the name of its bound, what supports it. */
+struct Constraint {
+    std::string text;               /**< As in the text of the region. */
+    std::string name;               /**< Empty if the bound has none. */
+    critreg_constraint evidence;    /**< has_evidence is 0 if none is known. */
+};
+
+/** The constraints of a region, from left to right. */
+inline std::vector<Constraint> constraints(const critreg_region *region) {
+    std::size_t count;
+    detail::check(critreg_region_constraint_count(region, &count));
+    std::vector<Constraint> all(count);
+    for (std::size_t i = 0; i < count; i++) {
+        all[i].text = detail::text([=](char *text, std::size_t len, std::size_t *needed) {
+            return critreg_region_constraint_format(region, i, text, len, needed);
+        });
+        all[i].name = detail::text([=](char *text, std::size_t len, std::size_t *needed) {
+            return critreg_region_constraint_name(region, i, text, len, needed);
+        });
+        detail::check(critreg_constraint_init(&all[i].evidence, sizeof all[i].evidence));
+        detail::check(critreg_region_constraint(region, i, &all[i].evidence));
+    }
+    return all;
+}
+
 /** A region in memory of its own. It can be moved, and shared between threads. */
 class Region {
 public:
@@ -119,6 +144,12 @@ public:
             return critreg_region_format(handle(), text, len, needed);
         });
     }
+
+    /**
+     * Its constraints. What supports them is known to the learner only; see
+     * Learner::constraints().
+     */
+    std::vector<Constraint> constraints() const { return critreg::constraints(handle()); }
 
     /** How many numbers an instance has. */
     std::size_t instance_len() const {
@@ -201,22 +232,22 @@ struct Query {
 /** A learner with memory of its own. It can be moved. */
 class Learner {
 public:
-    /** The default configuration, to change. */
+    /** The default configuration, to change: learner, iterations, noise, steps, ... */
     static critreg_config default_config() {
         critreg_config config;
         detail::check(critreg_config_init(&config, sizeof config));
         return config;
     }
 
-    /** A learner about a domain. A config without capacities gets 4096 hypotheses. */
+    /** A learner about a domain. A config without hypotheses gets the default number. */
     explicit Learner(const std::string &domain, critreg_config config = default_config()) {
         std::array<char, 128> why{};
         const critreg_status status =
             critreg_check_domain(domain.c_str(), why.data(), why.size(), nullptr);
         detail::check(status, why.data());
-        if (config.hypotheses == 0) config.hypotheses = 4096;
-        if (config.observations == 0) config.observations = observations_for(config);
-        const std::size_t bytes = critreg_learner_size(config.hypotheses, config.observations);
+        if (config.hypotheses == 0) config.hypotheses = CRITREG_DEFAULT_HYPOTHESES;
+        // A wrong configuration has no size; then init tells what is wrong.
+        const std::size_t bytes = critreg_learner_size(&config);
         memory_.reset(new std::uint64_t[bytes / sizeof(std::uint64_t) + 1]);
         critreg_learner *made;
         detail::check(critreg_learner_init(memory_.get(), bytes, domain.c_str(), &config, &made));
@@ -281,6 +312,13 @@ public:
         return Region::load(Region::save(region));
     }
 
+    /** The constraints of what is learned so far, with what supports them. */
+    std::vector<Constraint> constraints() {
+        const critreg_region *region = nullptr;
+        check(critreg_learner_region(handle(), &region));
+        return critreg::constraints(region);
+    }
+
     /** How learning went so far. */
     critreg_report report() const {
         critreg_report report;
@@ -310,11 +348,6 @@ public:
     }
 
 private:
-    static std::uint32_t observations_for(const critreg_config &config) {
-        const std::uint64_t all = std::uint64_t{config.iterations} + 2;
-        return all > UINT32_MAX ? UINT32_MAX : static_cast<std::uint32_t>(all);
-    }
-
     std::size_t count(const std::vector<double> &instances) const {
         if (instance_len_ == 0 || instances.size() % instance_len_ != 0)
             throw Error(CRITREG_INVALID_ARGUMENT, "the instances have the wrong length");

@@ -1,11 +1,14 @@
-//! The structs that a program fills or reads.
+//! What a learner is told to do.
 
+use crate::any::Capacity;
 use crate::pointer;
+use crate::report::critreg_progress;
 use crate::status::{Failure, Fallible, critreg_status, status_of};
+use crate::structs::{self, Versioned};
 use core::ffi::c_void;
-use core::mem::MaybeUninit;
+use critreg_core::Error;
 use critreg_core::domain::Domain;
-use critreg_core::learn::{self, Capacity};
+use critreg_core::learn::{self, version_space};
 use critreg_core::region::Theta;
 
 /// For critreg_config.learner: the learner of the thesis (Algorithm 1, 4.3). It
@@ -13,90 +16,94 @@ use critreg_core::region::Theta;
 /// fragile: often it learns nothing, and says so with CRITREG_NO_REGION.
 pub const CRITREG_ALGORITHM1: u32 = 1;
 
+/// For critreg_config.learner: the sound learner, and the default. It keeps every
+/// explanation of the answers, asks where they disagree, names the thresholds it
+/// finds, says what supports each constraint, and certifies the region by draws
+/// from it. Where nothing explains the answers it says CRITREG_NO_REGION.
+pub const CRITREG_VERSION_SPACE: u32 = 2;
+
 /// Observations a learner has room for unless the configuration tells: this many,
 /// or iterations + 2 if that is more.
 pub const CRITREG_DEFAULT_OBSERVATIONS: u32 = 256;
 
+/// Hypotheses that critreg_learner_size() makes room for unless the configuration
+/// tells.
+pub const CRITREG_DEFAULT_HYPOTHESES: u32 = 4096;
+
 /// Most hypotheses that a learner takes without being told how many.
 pub const CRITREG_MAX_DEFAULT_HYPOTHESES: u32 = 1 << 24;
 
-/// In a critreg_report: this did not happen (yet).
-pub const CRITREG_NOT_RUN: u64 = u64::MAX;
+/// Problem instances a learner has room for unless the configuration tells.
+pub const CRITREG_DEFAULT_INSTANCES: u32 = 16;
 
-/// How learning went so far. Counts of hypotheses count every comparison of two
-/// features on its own.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct critreg_report {
-    /// Size of this struct in bytes, from critreg_report_init().
-    pub struct_size: u32,
-    /// Always 0.
-    pub reserved: u32,
-    /// Hypotheses that the grammar makes of the domain.
-    pub enumerated: u64,
-    /// Those the learner started with.
-    pub kept: u64,
-    /// Those that found no room in the memory: the most complex ones.
-    pub left_out: u64,
-    /// Hypotheses left after the negative sample, or CRITREG_NOT_RUN.
-    pub after_negative: u64,
-    /// Hypotheses left after the positive sample, or CRITREG_NOT_RUN.
-    pub after_positive: u64,
-    /// Hypotheses left now.
-    pub remaining: u64,
-    /// Samples told: calls of the simulator.
-    pub calls: u64,
-    /// Samples told that were feasible.
-    pub feasible: u64,
-    /// Constraints that found no room in the region.
-    pub constraints_left_out: u64,
-}
+/// Most steps of a sequence of actions.
+pub const CRITREG_MAX_STEPS: u32 = 4;
 
-/// Called by critreg_learn_region() after every sample.
-///
-/// @param progress_data That of the configuration.
-/// @param report How learning went so far; valid until the callback returns.
-/// @return CRITREG_OK to go on. Anything else stops learning and becomes the
-/// status of critreg_learn_region(): CRITREG_CANCELLED, or CRITREG_USER_STATUS
-/// and above. What was learned so far stays, and learning can go on later.
-pub type critreg_progress = Option<
-    unsafe extern "C" fn(
-        progress_data: *mut c_void,
-        report: *const critreg_report,
-    ) -> critreg_status,
->;
+/// Most observations of CRITREG_VERSION_SPACE.
+pub const CRITREG_MAX_OBSERVATIONS: u32 = 2048;
+
+/// Fewest hypotheses that make a learner: the four comparisons of one pair.
+pub(crate) const FEWEST_HYPOTHESES: usize = 4;
 
 /// What a learner does. Fill it with critreg_config_init() and change what you
 /// like. Nothing in it is kept after critreg_learner_init() returns, except the
 /// progress callback and its data.
+///
+/// A field of one learner is ignored by the other.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct critreg_config {
     /// Size of this struct in bytes, from critreg_config_init().
     pub struct_size: u32,
-    /// Which learner: CRITREG_ALGORITHM1.
+    /// Which learner: CRITREG_VERSION_SPACE, the default, or CRITREG_ALGORITHM1.
     pub learner: u32,
     /// Seed of all random choices. Default 0. The same seed, domain, instances,
     /// capacities and answers give the same region on every machine.
     pub seed: u64,
-    /// Hypotheses to have room for: each takes a quarter of a byte, and 1.25 bytes
-    /// for its features. More reach more complex constraints and take more time
-    /// per sample. Default 0: what the memory has room for.
+    /// Hypotheses to have room for, at least 4: the forms of
+    /// CRITREG_VERSION_SPACE, the comparisons of CRITREG_ALGORITHM1. More reach
+    /// more complex constraints and take more time per sample. Default 0: what the
+    /// memory has room for.
     pub hypotheses: u32,
-    /// Samples to have room for, 56 bytes each. When they are used up, telling
-    /// returns CRITREG_CAPACITY_EXCEEDED. Default 0: CRITREG_DEFAULT_OBSERVATIONS,
-    /// or iterations + 2 if that is more.
+    /// Samples to have room for. When they are used up, telling returns
+    /// CRITREG_CAPACITY_EXCEEDED. CRITREG_VERSION_SPACE takes at most
+    /// CRITREG_MAX_OBSERVATIONS. Default 0: CRITREG_DEFAULT_OBSERVATIONS, or
+    /// iterations + 2 if that is more.
     pub observations: u32,
-    /// Samples that the learner draws itself (K of the thesis). Default 100.
+    /// Answers that CRITREG_VERSION_SPACE asks for in all; samples that
+    /// CRITREG_ALGORITHM1 draws itself (K of the thesis). Default 100.
     pub iterations: u32,
-    /// Must be 0.
-    pub reserved: u32,
-    /// Parameters that are expected to fail (z- of the thesis), tried first in the
-    /// first instance: one number per parameter of the domain, within its range.
-    /// Copied. Default NULL: not tried.
+    /// CRITREG_VERSION_SPACE: how many of these answers, the last ones, are about
+    /// draws from the region, to certify it. Default 10.
+    pub certifying: u32,
+    /// CRITREG_VERSION_SPACE: problem instances to have room for, at least 1.
+    /// Learning from more returns CRITREG_CAPACITY_EXCEEDED. Default
+    /// CRITREG_DEFAULT_INSTANCES.
+    pub instances: u32,
+    /// CRITREG_VERSION_SPACE: steps of the sequence of actions that is learned
+    /// about, from 1 to CRITREG_MAX_STEPS; see critreg_outcome. Default 1.
+    pub steps: u32,
+    /// CRITREG_VERSION_SPACE: share of the answers that is wrong, from 0 to 0.2. If
+    /// it is not 0, samples are asked again until the answer is beyond doubt:
+    /// noise costs answers. Default 0.
+    pub noise: f64,
+    /// CRITREG_VERSION_SPACE: share of the questions that look for what nothing
+    /// hints at, from 0 to 1. Default 0.1.
+    pub exploring: f64,
+    /// CRITREG_VERSION_SPACE: share of the feasible samples that a constraint may
+    /// ignore if nothing explains the answers otherwise, from 0 to 0.2, for actions
+    /// that sometimes work beyond a boundary. With 0 the region has all of them.
+    /// Default 0.05.
+    pub slack: f64,
+    /// CRITREG_VERSION_SPACE: confidence of the certificate, from 0 to 0.9999.
+    /// Default 0.95.
+    pub confidence: f64,
+    /// CRITREG_ALGORITHM1: parameters that are expected to fail (z- of the thesis),
+    /// tried first in the first instance: one number per parameter of the domain,
+    /// within its range. Copied. Default NULL: not tried.
     pub negative: *const f64,
-    /// Parameters that are expected to work (z+ of the thesis), tried next in the
-    /// first instance. Copied. Default NULL: not tried.
+    /// CRITREG_ALGORITHM1: parameters that are expected to work (z+ of the thesis),
+    /// tried next in the first instance. Copied. Default NULL: not tried.
     pub positive: *const f64,
     /// Called after every sample that critreg_learn_region() tries. Default NULL.
     pub progress: critreg_progress,
@@ -104,68 +111,31 @@ pub struct critreg_config {
     pub progress_data: *mut c_void,
 }
 
-/// Sizes of the first versions of the structs: smaller ones never existed.
-const FIRST_CONFIG: usize = size_of::<critreg_config>();
-const FIRST_REPORT: usize = size_of::<critreg_report>();
-
-const DEFAULT: critreg_config = critreg_config {
-    struct_size: size_of::<critreg_config>() as u32,
-    learner: CRITREG_ALGORITHM1,
-    seed: 0,
-    hypotheses: 0,
-    observations: 0,
-    iterations: 100,
-    reserved: 0,
-    negative: core::ptr::null(),
-    positive: core::ptr::null(),
-    progress: None,
-    progress_data: core::ptr::null_mut(),
-};
-
-impl critreg_report {
-    pub(crate) fn new(report: learn::Report) -> Self {
-        let counted = |count: Option<usize>| count.map_or(CRITREG_NOT_RUN, |n| n as u64);
-        critreg_report {
-            struct_size: size_of::<Self>() as u32,
-            reserved: 0,
-            enumerated: report.enumeration.enumerated,
-            kept: report.enumeration.kept,
-            left_out: report.enumeration.left_out,
-            after_negative: counted(report.after_negative),
-            after_positive: counted(report.after_positive),
-            remaining: report.remaining as u64,
-            calls: report.calls as u64,
-            feasible: report.feasible as u64,
-            constraints_left_out: report.constraints_left_out as u64,
-        }
-    }
-
-    /// Writes it into a struct of the caller, which may be an older, shorter one.
-    ///
-    /// # Safety
-    /// If the pointer is not NULL and aligned, its `struct_size` is readable and
-    /// as many bytes are writable.
-    pub(crate) unsafe fn write_to(mut self, report: *mut critreg_report) -> Fallible {
-        pointer::check(report, "report")?;
-        // SAFETY: checked; readable by this function's contract.
-        let size = unsafe { (&raw const (*report).struct_size).read() };
-        let bytes = known_size(size as usize, FIRST_REPORT, size_of::<Self>())?;
-        self.struct_size = size;
-        // SAFETY: `bytes` is at most the size of either struct.
-        unsafe {
-            core::ptr::copy_nonoverlapping((&raw const self).cast::<u8>(), report.cast(), bytes);
-        }
-        Ok(())
-    }
+// SAFETY: it is repr(C) and starts with struct_size.
+unsafe impl Versioned for critreg_config {
+    const FIRST: usize = size_of::<critreg_config>();
 }
 
-fn known_size(size: usize, first: usize, now: usize) -> Fallible<usize> {
-    if (first..=now).contains(&size) {
-        Ok(size)
-    } else {
-        Err(Failure::invalid(
-            "struct_size is not one this library knows: call the init function of the struct",
-        ))
+fn defaults() -> critreg_config {
+    let settings = version_space::Config::default();
+    critreg_config {
+        struct_size: size_of::<critreg_config>() as u32,
+        learner: CRITREG_VERSION_SPACE,
+        seed: settings.seed,
+        hypotheses: 0,
+        observations: 0,
+        iterations: settings.calls,
+        certifying: settings.certifying,
+        instances: CRITREG_DEFAULT_INSTANCES,
+        steps: 1,
+        noise: settings.noise,
+        exploring: settings.exploring,
+        slack: settings.slack,
+        confidence: settings.confidence,
+        negative: core::ptr::null(),
+        positive: core::ptr::null(),
+        progress: None,
+        progress_data: core::ptr::null_mut(),
     }
 }
 
@@ -175,48 +145,68 @@ fn known_size(size: usize, first: usize, now: usize) -> Fallible<usize> {
 /// If the pointer is not NULL and aligned, its `struct_size` is readable and as
 /// many bytes are.
 pub(crate) unsafe fn read(config: *const critreg_config) -> Fallible<critreg_config> {
-    let mut known = DEFAULT;
+    let mut known = defaults();
     if config.is_null() {
         return Ok(known);
     }
     pointer::check(config, "config")?;
     // SAFETY: checked; readable by this function's contract.
     let size = unsafe { (&raw const (*config).struct_size).read() };
-    let bytes = known_size(size as usize, FIRST_CONFIG, size_of::<critreg_config>())?;
+    let now = size_of::<critreg_config>();
+    let bytes = structs::known_size(size as usize, critreg_config::FIRST, now)?;
     // SAFETY: `bytes` is at most the size of either struct; both are repr(C), and
     // every bit pattern that C can have written is valid for the fields.
     unsafe {
         core::ptr::copy_nonoverlapping(config.cast::<u8>(), (&raw mut known).cast(), bytes);
     }
-    if known.learner != CRITREG_ALGORITHM1 {
-        return Err(Failure::invalid("there is no learner with this number"));
+    match known.learner {
+        CRITREG_ALGORITHM1 | CRITREG_VERSION_SPACE => Ok(known),
+        _ => Err(Failure::invalid("there is no learner with this number")),
     }
-    if known.reserved != 0 {
-        return Err(Failure::invalid("reserved must be 0"));
-    }
-    Ok(known)
 }
 
 impl critreg_config {
     /// The capacities it asks for; no hypotheses means as many as there is room.
-    pub(crate) fn capacity(&self) -> Capacity {
+    pub(crate) fn capacity(&self) -> Fallible<Capacity> {
         let enough = self.iterations.saturating_add(2);
         let observations = match self.observations {
             0 => enough.max(CRITREG_DEFAULT_OBSERVATIONS),
             told => told,
         };
-        Capacity {
-            hypotheses: self.hypotheses as usize,
-            observations: observations as usize,
+        if (1..FEWEST_HYPOTHESES).contains(&(self.hypotheses as usize)) {
+            return Err(Failure::invalid("a learner needs at least four hypotheses"));
         }
+        if self.learner == CRITREG_ALGORITHM1 {
+            return Ok(Capacity::Algorithm1(learn::Capacity {
+                hypotheses: self.hypotheses as usize,
+                observations: observations as usize,
+            }));
+        }
+        if !(1..=CRITREG_MAX_STEPS).contains(&self.steps) {
+            return Err(Failure::invalid("a learner has one to four steps"));
+        }
+        if self.instances == 0 {
+            return Err(Failure::invalid("a learner has at least one instance"));
+        }
+        if observations > CRITREG_MAX_OBSERVATIONS {
+            return Err(Failure::invalid(
+                "this learner has room for at most 2048 observations",
+            ));
+        }
+        Ok(Capacity::VersionSpace(version_space::Capacity {
+            forms: self.hypotheses as usize,
+            observations: observations as usize,
+            instances: self.instances as usize,
+            steps: self.steps as usize,
+        }))
     }
 
-    /// What the core learner wants to know.
+    /// What [`learn::Algorithm1`] wants to know.
     ///
     /// # Safety
     /// `negative` and `positive`, if not NULL and aligned, have a readable number
     /// for every parameter of the domain.
-    pub(crate) unsafe fn settings(&self, domain: &Domain<'_>) -> Fallible<learn::Config> {
+    pub(crate) unsafe fn algorithm1(&self, domain: &Domain<'_>) -> Fallible<learn::Config> {
         // SAFETY: by this function's contract, for both.
         let (negative, positive) = unsafe {
             (
@@ -231,10 +221,27 @@ impl critreg_config {
             positive,
         })
     }
+
+    /// What [`learn::VersionSpace`] wants to know.
+    pub(crate) fn version_space(&self) -> Fallible<version_space::Config> {
+        let shares = [self.noise, self.exploring, self.slack, self.confidence];
+        if !shares.iter().all(|share| share.is_finite()) {
+            return Err(Error::NotFinite("a share of the configuration").into());
+        }
+        Ok(version_space::Config {
+            seed: self.seed,
+            calls: self.iterations,
+            certifying: self.certifying,
+            exploring: self.exploring,
+            noise: self.noise,
+            slack: self.slack,
+            confidence: self.confidence,
+        })
+    }
 }
 
 /// # Safety
-/// As for [`critreg_config::settings`].
+/// As for [`critreg_config::algorithm1`].
 unsafe fn sample(
     numbers: *const f64,
     domain: &Domain<'_>,
@@ -252,17 +259,6 @@ unsafe fn sample(
     Ok(Some(theta))
 }
 
-/// # Safety
-/// If the pointer is not NULL and aligned, `size` bytes are writable.
-unsafe fn init<T: Copy>(target: *mut T, size: usize, first: usize, value: T) -> Fallible {
-    pointer::check(target, "the struct")?;
-    let bytes = known_size(size, first, size_of::<T>())?;
-    let value = MaybeUninit::new(value);
-    // SAFETY: `bytes` is at most the size of the value and of the caller's struct.
-    unsafe { core::ptr::copy_nonoverlapping(value.as_ptr().cast::<u8>(), target.cast(), bytes) };
-    Ok(())
-}
-
 /// Fills a configuration with the defaults.
 ///
 /// @param config The configuration.
@@ -275,24 +271,8 @@ pub unsafe extern "C" fn critreg_config_init(
     config: *mut critreg_config,
     size: usize,
 ) -> critreg_status {
-    let mut value = DEFAULT;
+    let mut value = defaults();
     value.struct_size = u32::try_from(size).unwrap_or(0);
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { init(config, size, FIRST_CONFIG, value) })
-}
-
-/// Prepares a report for critreg_learner_report().
-///
-/// @param report The report.
-/// @param size sizeof *report; see critreg_config_init().
-/// @return As critreg_config_init().
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn critreg_report_init(
-    report: *mut critreg_report,
-    size: usize,
-) -> critreg_status {
-    let mut value = critreg_report::new(learn::Report::default());
-    value.struct_size = u32::try_from(size).unwrap_or(0);
-    // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { init(report, size, FIRST_REPORT, value) })
+    status_of(unsafe { structs::init(config, size, critreg_config::FIRST, value) })
 }

@@ -1,19 +1,20 @@
 //! A learner in the caller's memory.
 
+use crate::any::AnyLearner;
 use crate::config::{
-    self, CRITREG_MAX_DEFAULT_HYPOTHESES, critreg_config, critreg_progress, critreg_report,
+    self, CRITREG_DEFAULT_HYPOTHESES, CRITREG_MAX_DEFAULT_HYPOTHESES, FEWEST_HYPOTHESES,
+    critreg_config,
 };
-use crate::memory::{ALIGNMENT, CRITREG_DOMAIN_TEXT_MAX, LearnerPlan};
+use crate::memory::{ALIGNMENT, CRITREG_DOMAIN_TEXT_MAX};
+use crate::plan::LearnerPlan;
 use crate::pointer::{self, Output};
 use crate::region::critreg_region;
+use crate::report::{critreg_progress, critreg_report};
 use crate::status::{CRITREG_BUSY, CRITREG_OK, Failure, Fallible, critreg_status, status_of};
 use core::cell::{Cell, RefCell};
 use core::ffi::{c_char, c_void};
-use critreg_core::domain::{Domain, Node};
-use critreg_core::learn::{Algorithm1, Capacity, Learner as _, Memory, Problem};
-
-/// Fewest hypotheses that make a learner: the four comparisons of one pair.
-const FEWEST_HYPOTHESES: usize = 4;
+use critreg_core::domain::Domain;
+use critreg_core::learn::{Learner as _, Problem};
 
 /// A learner. It lies at the start of the memory it was made in.
 pub struct critreg_learner {
@@ -28,7 +29,7 @@ pub struct critreg_learner {
 
 /// What a call on a learner borrows.
 pub(crate) struct Inner {
-    pub(crate) learner: Algorithm1<'static, f64>,
+    pub(crate) learner: AnyLearner,
     /// Room for the handle of the learned region; a part of the caller's memory.
     pub(crate) region: *mut critreg_region,
     pub(crate) progress: critreg_progress,
@@ -79,7 +80,7 @@ impl critreg_learner {
 
     /// Takes over what the inner learner has to report.
     pub(crate) fn publish(&self, inner: &Inner) {
-        self.report.set(critreg_report::new(inner.learner.report()));
+        self.report.set(critreg_report::new(&inner.learner));
         self.finished.set(inner.learner.is_finished());
     }
 }
@@ -133,16 +134,21 @@ pub(crate) unsafe fn problem<'a>(
 /// Where the capacities are constants, CRITREG_LEARNER_WORDS() sizes a static
 /// array instead.
 ///
-/// @param hypotheses Hypotheses to have room for.
-/// @param observations Samples to have room for.
-/// @return The number of bytes; 0 if memory cannot be that large.
+/// @param config What the learner is to do, with its capacities; NULL for the
+/// defaults. Where it leaves the number of hypotheses open it is
+/// CRITREG_DEFAULT_HYPOTHESES.
+/// @return The number of bytes; 0 if the configuration is wrong or memory cannot
+/// be that large.
 #[unsafe(no_mangle)]
-pub extern "C" fn critreg_learner_size(hypotheses: u32, observations: u32) -> usize {
-    let capacity = Capacity {
-        hypotheses: hypotheses as usize,
-        observations: observations as usize,
-    };
-    LearnerPlan::new(capacity).map_or(0, |plan| plan.size)
+pub unsafe extern "C" fn critreg_learner_size(config: *const critreg_config) -> usize {
+    // SAFETY: the header makes it the caller's promise.
+    let capacity = unsafe { config::read(config) }.and_then(|config| config.capacity());
+    let told = capacity.map(|capacity| match capacity.hypotheses() {
+        0 => capacity.with_hypotheses(CRITREG_DEFAULT_HYPOTHESES as usize),
+        _ => capacity,
+    });
+    let plan = told.ok().and_then(LearnerPlan::new);
+    plan.map_or(0, |plan| plan.size)
 }
 
 /// The alignment in bytes that the memory of a learner needs. An array of
@@ -176,8 +182,8 @@ pub extern "C" fn critreg_learner_align() -> usize {
 /// CRITREG_CAPACITY_EXCEEDED if the text is longer than CRITREG_DOMAIN_TEXT_MAX
 /// or declares too many things; CRITREG_INVALID_ARGUMENT for a domain without
 /// parameters, a text that is not UTF-8, a wrong configuration or a manual sample
-/// outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual
-/// sample; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+/// outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual sample
+/// or a share of the configuration; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_learner_init(
     memory: *mut c_void,
@@ -208,15 +214,13 @@ unsafe fn init(
             Output::new(learner, "learner")?,
         )
     };
-    let mut capacity = config.capacity();
-    if capacity.hypotheses == 0 {
+    let mut capacity = config.capacity()?;
+    if capacity.hypotheses() == 0 {
         let most = CRITREG_MAX_DEFAULT_HYPOTHESES as usize;
-        capacity.hypotheses = LearnerPlan::most_hypotheses(memory_len, capacity.observations, most);
-    } else if capacity.hypotheses < FEWEST_HYPOTHESES {
-        return Err(Failure::invalid("a learner needs at least four hypotheses"));
+        capacity = LearnerPlan::largest(memory_len, capacity, most);
     }
     let plan = LearnerPlan::new(capacity)
-        .filter(|plan| plan.size <= memory_len && capacity.hypotheses >= FEWEST_HYPOTHESES)
+        .filter(|plan| plan.size <= memory_len && capacity.hypotheses() >= FEWEST_HYPOTHESES)
         .ok_or(Failure::TooSmall("the memory of the learner"))?;
     // SAFETY: the memory was checked for NULL, alignment and length; the caller
     // lends it to this learner alone, and the parts of a plan do not overlap.
@@ -229,16 +233,8 @@ unsafe fn init(
                 "the domain declares no parameter to learn about",
             ));
         }
-        let settings = config.settings(domain)?;
-        let tables = Memory {
-            features: plan.features.fill(memory, Node::Number(0.0)),
-            values: plan.values.fill(memory, 0.0),
-            pairs: plan.pairs.fill(memory, 0),
-            bounds: plan.bounds.fill(memory, Default::default()),
-            observations: plan.observations.fill(memory, Default::default()),
-        };
         let mut inner = Inner {
-            learner: Algorithm1::new(domain, settings, capacity, tables)?,
+            learner: plan.make(memory, domain, &config)?,
             region: plan.region.place(memory),
             progress: config.progress,
             progress_data: config.progress_data,
@@ -247,7 +243,7 @@ unsafe fn init(
         let handle = plan.handle.place(memory);
         handle.write(critreg_learner {
             seal: Cell::new(seal_at(handle.addr())),
-            report: Cell::new(critreg_report::new(inner.learner.report())),
+            report: Cell::new(critreg_report::new(&inner.learner)),
             finished: Cell::new(inner.learner.is_finished()),
             message: Cell::new(None),
             domain,

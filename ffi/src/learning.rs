@@ -1,17 +1,22 @@
-//! Asking, telling, saving, resuming.
+//! Asking and telling.
 
-use crate::config::critreg_report;
 use crate::learner::{Inner, critreg_learner, problem, with_learner};
 use crate::pointer::{self, Output, OutputArray};
 use crate::region::critreg_region;
+use crate::report::critreg_report;
 use crate::status::{CRITREG_OK, Failure, Fallible, critreg_status, status_of};
+use crate::structs;
 use crate::text;
 use core::ffi::{c_char, c_void};
 use core::fmt;
-use critreg_core::learn::{self, Answer, Learner as _, Problem, Query};
+use critreg_core::learn::{Answer, Learner as _, Problem, Query};
 
 /// What came of an action: CRITREG_FEASIBLE, or the number of the step of an
 /// action sequence that failed, counted from one.
+///
+/// CRITREG_VERSION_SPACE learns what each step needs from the samples that reached
+/// it; the steps before the one that failed worked. It accepts numbers up to
+/// critreg_config.steps. CRITREG_ALGORITHM1 makes no difference between steps.
 pub type critreg_outcome = i32;
 
 /// The action worked.
@@ -72,9 +77,10 @@ pub type critreg_simulate = Option<
 /// critreg_learner_region() is.
 /// @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
 /// there is no room for another observation (critreg_learner_region() still has
-/// what was learned); the status of a callback that was not CRITREG_OK;
-/// CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative or was
-/// not written; CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
+/// what was learned) or for so many instances (critreg_config.instances); the status of a callback that was not CRITREG_OK;
+/// CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative, was
+/// not written or is a step that the configuration does not have;
+/// CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
 /// if the instances changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER,
 /// CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
 #[unsafe(no_mangle)]
@@ -144,7 +150,14 @@ fn give_region(handle: &critreg_learner, inner: &mut Inner) -> Fallible<*const c
     let region = inner.learner.region()?.clone();
     // SAFETY: the region's part is reserved for the handle; the header forbids to
     // use the handle while a function runs that may change the learner.
-    unsafe { critreg_region::put(inner.region, handle.domain, region) };
+    unsafe {
+        critreg_region::put(
+            inner.region,
+            handle.domain,
+            region,
+            inner.learner.evidence(),
+        )
+    };
     Ok(inner.region)
 }
 
@@ -169,7 +182,8 @@ fn give_region(handle: &critreg_learner, inner: &mut Inner) -> Fallible<*const c
 /// @param instance Receives the index of the instance to try it in.
 /// @param theta Receives the parameters: one number each.
 /// @return CRITREG_OUT_OF_SEQUENCE if learning is finished; CRITREG_MISMATCH if
-/// the instances changed; CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
+/// the instances changed; CRITREG_CAPACITY_EXCEEDED if there is no room for so
+/// many (critreg_config.instances); CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
 /// CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_ask(
@@ -202,8 +216,9 @@ pub unsafe extern "C" fn critreg_ask(
 /// @param count How many there are.
 /// @param outcome What came of the sample.
 /// @return CRITREG_OUT_OF_SEQUENCE if nothing was asked; CRITREG_CAPACITY_EXCEEDED
-/// if there is no room for another observation; CRITREG_INVALID_ARGUMENT for a
-/// negative outcome; and as critreg_ask().
+/// if there is no room for another observation; CRITREG_INVALID_ARGUMENT for an
+/// outcome that is negative or a step that the configuration does not have; and as
+/// critreg_ask().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_tell(
     learner: *mut critreg_learner,
@@ -249,7 +264,8 @@ pub unsafe extern "C" fn critreg_is_finished(
 /// @param region Receives the region. It belongs to the learner and is valid until
 /// the next call of critreg_learn_region(), critreg_tell() or
 /// critreg_learner_resume() on it; after that using it gives
-/// CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own.
+/// CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
+/// what supports its constraints is not saved.
 /// @return CRITREG_NO_REGION if no constraint explains the observations;
 /// CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
 #[unsafe(no_mangle)]
@@ -281,7 +297,7 @@ pub unsafe extern "C" fn critreg_learner_report(
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
         let handle = critreg_learner::open(learner);
-        status_of(handle.and_then(|handle| handle.report.get().write_to(report)))
+        status_of(handle.and_then(|handle| structs::write(handle.report.get(), report, "report")))
     }
 }
 
@@ -318,74 +334,5 @@ pub unsafe extern "C" fn critreg_learner_message(
             handle
                 .and_then(|handle| text::write(&Message(handle.message.get()), text, len, needed)),
         )
-    }
-}
-
-/// Saves what a learner was told, so that a run can be resumed: versioned,
-/// checksummed, the same on every machine. A sample that was asked for but not
-/// told is asked for again after resuming.
-///
-/// @param learner The learner.
-/// @param instances The problem instances, as for critreg_ask().
-/// @param count How many there are.
-/// @param bytes Receives the bytes.
-/// @param len Length of bytes; 0 to ask for the length only.
-/// @param needed NULL, or receives how many bytes it takes, also if the buffer is
-/// too small.
-/// @return CRITREG_TOO_SMALL (nothing but needed is written);
-/// CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,
-/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn critreg_learner_save(
-    learner: *mut critreg_learner,
-    instances: *const f64,
-    count: usize,
-    bytes: *mut u8,
-    len: usize,
-    needed: *mut usize,
-) -> critreg_status {
-    // SAFETY: the header makes it the caller's promise, for all.
-    unsafe {
-        with_learner(learner, |handle, inner| {
-            let problem = problem(handle, instances, count)?;
-            let length = learn::saved_len(&inner.learner, &problem);
-            text::write_bytes(length, bytes, len, needed, |bytes| {
-                Ok(learn::save(&inner.learner, &problem, bytes)?)
-            })
-        })
-    }
-}
-
-/// Brings a fresh learner to the state that critreg_learner_save() wrote, by
-/// replaying what was told.
-///
-/// @param learner A learner that was just made, with the domain, configuration and
-/// number of hypotheses of the saved one.
-/// @param instances The instances of the saved run.
-/// @param count How many there are.
-/// @param bytes The saved bytes.
-/// @param len How many there are.
-/// @return CRITREG_CORRUPT for damaged bytes; CRITREG_MISMATCH if they belong to
-/// another domain, instances, configuration or number of hypotheses;
-/// CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_CAPACITY_EXCEEDED
-/// if there is no room for all observations: in all these cases nothing is told;
-/// CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,
-/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn critreg_learner_resume(
-    learner: *mut critreg_learner,
-    instances: *const f64,
-    count: usize,
-    bytes: *const u8,
-    len: usize,
-) -> critreg_status {
-    // SAFETY: the header makes it the caller's promise, for all.
-    unsafe {
-        with_learner(learner, |handle, inner| {
-            let problem = problem(handle, instances, count)?;
-            let bytes = pointer::slice(bytes, len, "bytes")?;
-            inner.retire_region();
-            Ok(learn::resume(&mut inner.learner, &problem, bytes)?)
-        })
     }
 }

@@ -10,10 +10,13 @@
 //! |---|---|
 //! | [`status`] | status codes and the words for them |
 //! | [`memory`] | how much memory a handle takes |
-//! | [`config`] | the structs that a program fills or reads |
+//! | [`config`] | what a learner is told to do |
+//! | [`report`] | how learning went |
 //! | [`learner`] | a learner in the caller's memory |
-//! | [`learning`] | asking, telling, saving, resuming |
+//! | [`learning`] | asking and telling |
+//! | [`saving`] | saving a run and resuming it |
 //! | [`region`] | regions in memory, as text and as bytes |
+//! | [`constraint`] | the constraints of a region, one by one |
 //! | [`sampling`] | what a region says about an instance: samples |
 //! | [`rng`] | random numbers |
 //! | [`check`] | what is wrong with a text, in words |
@@ -21,7 +24,7 @@
 //!
 //! # Why it is sound
 //! - The parts of a handle are cut out of the caller's memory without overlap
-//!   (the `memory` module computes their places and nothing else does), so no
+//!   (the `memory` and `plan` modules compute their places and nothing else does), so no
 //!   reference to one covers another. `'static` in their types means: as long as
 //!   the caller lends the memory, which the header makes the caller's promise.
 //! - All that a learner changes is behind a `RefCell`. A callback that calls back
@@ -49,17 +52,23 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+mod any;
 pub mod check;
 pub mod config;
+pub mod constraint;
 pub mod learner;
 pub mod learning;
 pub mod memory;
+mod plan;
 mod pointer;
 pub mod region;
+pub mod report;
 pub mod rng;
 pub mod sampling;
+pub mod saving;
 pub mod status;
 pub mod stick_button;
+mod structs;
 mod text;
 
 #[cfg(all(feature = "halt", not(feature = "std"), not(test)))]

@@ -1,13 +1,12 @@
 //! How much memory a handle takes, and where its parts lie in it. One plan
-//! answers the question for the size and cuts the memory up.
+//! answers the question for the size and cuts the memory up. Regions stand here,
+//! learners in `plan`.
 
-use crate::learner::critreg_learner;
 use crate::region::critreg_region;
 use crate::status::{Failure, Fallible};
 use core::marker::PhantomData;
-use critreg_core::domain::{Domain, MAX_PARAMETERS, Node};
+use critreg_core::domain::{Domain, MAX_PARAMETERS};
 use critreg_core::grammar::MAX_CONSTRAINTS;
-use critreg_core::learn::{Bounds, Capacity, Observation};
 
 /// Longest domain text in bytes, with its NUL.
 pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
@@ -18,14 +17,25 @@ pub const CRITREG_LEARNER_FIXED_BYTES: usize = 20_480;
 
 /// Bytes of a region, on a machine with pointers of 32 bits; for
 /// CRITREG_REGION_WORDS.
-pub const CRITREG_REGION_FIXED_BYTES: usize = 10_240;
+pub const CRITREG_REGION_FIXED_BYTES: usize = 10_496;
 
 /// Pointers in a handle, which take more room on a machine with longer ones; for
 /// CRITREG_LEARNER_WORDS and CRITREG_REGION_WORDS.
 pub const CRITREG_HANDLE_POINTERS: usize = 512;
 
-/// Bytes of a sample that was told; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_OBSERVATION_BYTES: usize = 56;
+/// Bytes of a sample that was told, apart from its left sides; for
+/// CRITREG_LEARNER_WORDS.
+pub const CRITREG_OBSERVATION_BYTES: usize = 60;
+
+/// Bytes of a feature, apart from its values in the instances; for
+/// CRITREG_LEARNER_WORDS.
+pub const CRITREG_FEATURE_BYTES: usize = 26;
+
+/// Bytes of a form and step; for CRITREG_LEARNER_WORDS.
+pub const CRITREG_SPAN_BYTES: usize = 16;
+
+/// Bytes of a step; for CRITREG_LEARNER_WORDS.
+pub const CRITREG_STEP_BYTES: usize = 2_560;
 
 /// Most parameters of an action: an array for theta of this length fits every
 /// domain.
@@ -37,7 +47,6 @@ pub const CRITREG_MAX_CONSTRAINTS: usize = 32;
 /// Most intervals that critreg_region_intervals() can find.
 pub const CRITREG_MAX_INTERVALS: usize = 66;
 
-const _: () = assert!(CRITREG_OBSERVATION_BYTES == size_of::<Observation>());
 const _: () = assert!(CRITREG_MAX_PARAMETERS == MAX_PARAMETERS);
 const _: () = assert!(CRITREG_MAX_CONSTRAINTS == MAX_CONSTRAINTS);
 // Two ends for each constraint, and those of the parameter's range.
@@ -71,13 +80,13 @@ impl<T> Part<T> {
     /// returned is used.
     pub(crate) unsafe fn fill(&self, memory: *mut u8, value: T) -> &'static mut [T]
     where
-        T: Copy,
+        T: Clone,
     {
         // SAFETY: `count` values fit at the place, which is aligned for them.
         unsafe {
             let first = self.place(memory);
             for index in 0..self.count {
-                first.add(index).write(value);
+                first.add(index).write(value.clone());
             }
             core::slice::from_raw_parts_mut(first, self.count)
         }
@@ -85,13 +94,13 @@ impl<T> Part<T> {
 }
 
 /// Counts bytes while parts are put one behind the other.
-struct Planner {
-    size: usize,
+pub(crate) struct Planner {
+    pub(crate) size: usize,
 }
 
 impl Planner {
     /// Appends values; `None` if memory cannot be that long.
-    const fn append<T>(&mut self, count: usize) -> Option<Part<T>> {
+    pub(crate) const fn append<T>(&mut self, count: usize) -> Option<Part<T>> {
         const { assert!(align_of::<T>() <= ALIGNMENT) };
         let Some(offset) = self.size.checked_next_multiple_of(align_of::<T>()) else {
             return None;
@@ -120,6 +129,7 @@ macro_rules! append {
         }
     };
 }
+pub(crate) use append;
 
 /// The parts of a region with memory of its own.
 pub(crate) struct RegionPlan {
@@ -135,7 +145,7 @@ pub(crate) struct DomainPlan {
 }
 
 impl DomainPlan {
-    const fn new(planner: &mut Planner) -> Option<DomainPlan> {
+    pub(crate) const fn new(planner: &mut Planner) -> Option<DomainPlan> {
         Some(DomainPlan {
             domain: append!(planner, 1),
             text: append!(planner, CRITREG_DOMAIN_TEXT_MAX),
@@ -185,81 +195,11 @@ impl RegionPlan {
     }
 }
 
-/// The parts of a learner.
-pub(crate) struct LearnerPlan {
-    pub(crate) handle: Part<critreg_learner>,
-    pub(crate) region: Part<critreg_region>,
-    pub(crate) domain: DomainPlan,
-    pub(crate) features: Part<Node>,
-    pub(crate) values: Part<f64>,
-    pub(crate) bounds: Part<Bounds<f64>>,
-    pub(crate) observations: Part<Observation>,
-    pub(crate) pairs: Part<u8>,
-    pub(crate) size: usize,
-}
-
-impl LearnerPlan {
-    pub(crate) const fn new(capacity: Capacity) -> Option<LearnerPlan> {
-        let mut planner = Planner { size: 0 };
-        let handle = append!(planner, 1);
-        let region = append!(planner, 1);
-        let Some(domain) = DomainPlan::new(&mut planner) else {
-            return None;
-        };
-        Some(LearnerPlan {
-            handle,
-            region,
-            domain,
-            features: append!(planner, capacity.features()),
-            values: append!(planner, capacity.features()),
-            bounds: append!(planner, capacity.lefts()),
-            observations: append!(planner, capacity.observations),
-            pairs: append!(planner, capacity.pairs()),
-            size: planner.size,
-        })
-    }
-
-    /// The most hypotheses, up to a number, for which there is room in so many
-    /// bytes.
-    pub(crate) fn most_hypotheses(bytes: usize, observations: usize, most: usize) -> usize {
-        let fits = |hypotheses| {
-            let capacity = Capacity {
-                hypotheses,
-                observations,
-            };
-            LearnerPlan::new(capacity).is_some_and(|plan| plan.size <= bytes)
-        };
-        let (mut enough, mut too_many) = (0, most.saturating_add(1));
-        while too_many.saturating_sub(enough) > 1 {
-            let middle = enough + (too_many - enough) / 2;
-            if fits(middle) {
-                enough = middle;
-            } else {
-                too_many = middle;
-            }
-        }
-        enough
-    }
-}
-
-// The macros of the header promise enough memory; on every target that is built.
+// The macro of the header promises enough memory; on every target that is built.
 const _: () = {
     const POINTERS: usize = CRITREG_HANDLE_POINTERS * size_of::<*const u8>();
     let Some(region) = RegionPlan::new() else {
         panic!()
     };
     assert!(CRITREG_REGION_FIXED_BYTES + POINTERS >= region.size);
-    let mut hypotheses = 4;
-    while hypotheses < 1 << 26 {
-        let capacity = Capacity {
-            hypotheses,
-            observations: 0,
-        };
-        let Some(learner) = LearnerPlan::new(capacity) else {
-            panic!()
-        };
-        let bytes = CRITREG_LEARNER_FIXED_BYTES + POINTERS + hypotheses / 2 * 3;
-        assert!(bytes >= learner.size);
-        hypotheses = hypotheses * 3 / 2 + 1;
-    }
 };

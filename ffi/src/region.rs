@@ -8,6 +8,8 @@ use core::ffi::{c_char, c_void};
 use core::fmt;
 use critreg_core::Error;
 use critreg_core::domain::Domain;
+use critreg_core::grammar::MAX_CONSTRAINTS;
+use critreg_core::learn::version_space::Evidence;
 use critreg_core::region::{Grounded, Region, SavedRegion};
 
 /// Longest region text in bytes, with its NUL: what saved bytes can hold.
@@ -19,7 +21,11 @@ pub(crate) const REGION_TEXT_MAX: usize = 1 << 16;
 pub struct critreg_region {
     seal: usize,
     pub(crate) domain: &'static Domain<'static>,
-    region: Region,
+    pub(crate) region: Region,
+    /// What supports the first constraints, in their order; a region that was
+    /// parsed or loaded knows none.
+    evidence: [Evidence; MAX_CONSTRAINTS],
+    known: usize,
 }
 
 /// What a region at this address carries.
@@ -36,11 +42,18 @@ impl critreg_region {
         place: *mut critreg_region,
         domain: &'static Domain<'static>,
         region: Region,
+        support: &[Evidence],
     ) {
+        let mut evidence = [Evidence::default(); MAX_CONSTRAINTS];
+        for (slot, own) in evidence.iter_mut().zip(support) {
+            *slot = *own;
+        }
         let handle = critreg_region {
             seal: seal_at(place.addr()),
             domain,
             region,
+            evidence,
+            known: support.len(),
         };
         // SAFETY: by this function's contract; a region needs no drop.
         unsafe { place.write(handle) }
@@ -66,6 +79,12 @@ impl critreg_region {
         }
         // SAFETY: the seal shows that `put` wrote a region there.
         Ok(unsafe { &*region })
+    }
+
+    /// What supports a constraint, if that is known.
+    pub(crate) fn evidence(&self, index: usize) -> Option<Evidence> {
+        let known = self.evidence.iter().take(self.known);
+        known.copied().nth(index)
     }
 
     /// The region in an instance.
@@ -206,7 +225,7 @@ unsafe fn make(
         critreg_region::retire(place);
         let domain = plan.domain.put(memory, domain_text)?;
         let region = Region::parse(domain, text)?;
-        critreg_region::put(place, domain, region);
+        critreg_region::put(place, domain, region, &[]);
         output.write(place);
     }
     Ok(())

@@ -61,17 +61,36 @@ static inline critreg_status reach(void *user_data, const double *instance, cons
     return CRITREG_OK;
 }
 
+/* The learner that is tried, and how many samples it asks for. */
+static uint32_t kind = CRITREG_VERSION_SPACE;
+#define SAMPLES (kind == CRITREG_ALGORITHM1 ? 42 : 40)
+
 static inline critreg_config reach_config(void)
 {
     static const double too_near = 0.95, near_enough = 0.85;
     critreg_config config;
     OK(critreg_config_init(&config, sizeof config));
+    config.learner = kind;
     config.seed = 1;
     config.hypotheses = 1024;
     config.iterations = 40;
-    config.negative = &too_near;
-    config.positive = &near_enough;
+    if (kind == CRITREG_ALGORITHM1) {
+        config.negative = &too_near;
+        config.positive = &near_enough;
+    }
     return config;
+}
+
+/* Runs tests with every learner. */
+static inline void with_each_learner(void (*tests)(void))
+{
+    static const uint32_t kinds[] = {CRITREG_VERSION_SPACE, CRITREG_ALGORITHM1};
+    size_t i;
+    for (i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        kind = kinds[i];
+        tests();
+    }
+    kind = CRITREG_VERSION_SPACE;
 }
 
 static inline critreg_learner *reach_learner(uint64_t *memory, size_t memory_len)
@@ -86,13 +105,13 @@ static inline critreg_learner *reach_learner(uint64_t *memory, size_t memory_len
 static inline void expect_usable(critreg_learner *learner)
 {
     static uint64_t memory[CRITREG_LEARNER_WORDS(1024, 256)];
-    static char expected[4096];
-    char found[4096] = "";
+    static char texts[3][4096];
+    char found[4096] = "", *expected = texts[kind];
     const critreg_region *region = NULL;
     if (expected[0] == '\0') {
         critreg_learner *undisturbed = reach_learner(memory, sizeof memory);
         OK(critreg_learn_region(undisturbed, WALLS, INSTANCES, reach, NULL, &region));
-        OK(critreg_region_format(region, expected, sizeof expected, NULL));
+        OK(critreg_region_format(region, expected, sizeof found, NULL));
     }
     OK(critreg_learn_region(learner, WALLS, INSTANCES, reach, NULL, &region));
     OK(critreg_region_format(region, found, sizeof found, NULL));

@@ -65,7 +65,8 @@ static void wrong_texts(void)
 
 static void wrong_configurations(void)
 {
-    const double not_a_number = (double)NAN, infinite = (double)INFINITY, outside = 4.5;
+    const critreg_status too_many = kind == CRITREG_ALGORITHM1 ? CRITREG_TOO_SMALL
+                                                               : CRITREG_INVALID_ARGUMENT;
     critreg_config config = reach_config();
     critreg_report report;
 
@@ -90,23 +91,30 @@ static void wrong_configurations(void)
     config.learner = 99;
     EXPECT(CRITREG_INVALID_ARGUMENT, init(DOMAIN, &config));
     config = reach_config();
-    config.reserved = 1;
-    EXPECT(CRITREG_INVALID_ARGUMENT, init(DOMAIN, &config));
-    config = reach_config();
     config.hypotheses = 3;
     EXPECT(CRITREG_INVALID_ARGUMENT, init(DOMAIN, &config));
-    config.hypotheses = 100000;
+    config.hypotheses = 1000000;
     EXPECT(CRITREG_TOO_SMALL, init(DOMAIN, &config));
     config.hypotheses = UINT32_MAX;
-    config.observations = UINT32_MAX;
     EXPECT(CRITREG_TOO_SMALL, init(DOMAIN, &config));
+    config.observations = UINT32_MAX;
+    EXPECT(too_many, init(DOMAIN, &config));
     config = reach_config();
     config.hypotheses = 0;
     config.observations = UINT32_MAX;
-    EXPECT(CRITREG_TOO_SMALL, init(DOMAIN, &config));
+    EXPECT(too_many, init(DOMAIN, &config));
+    EXPECT_TRUE((critreg_learner_size(&config) == 0) == (too_many != CRITREG_TOO_SMALL));
     config.observations = 0;
     config.iterations = UINT32_MAX;
-    EXPECT(CRITREG_TOO_SMALL, init(DOMAIN, &config));
+    EXPECT(too_many, init(DOMAIN, &config));
+}
+
+static void wrong_manual_samples(void)
+{
+    const double not_a_number = (double)NAN, infinite = (double)INFINITY, outside = 4.5;
+    critreg_config config;
+
+    kind = CRITREG_ALGORITHM1;
     config = reach_config();
     config.negative = &not_a_number;
     EXPECT(CRITREG_NOT_FINITE, init(DOMAIN, &config));
@@ -119,55 +127,151 @@ static void wrong_configurations(void)
     config = reach_config();
     config.positive = &not_a_number;
     EXPECT(CRITREG_NOT_FINITE, init(DOMAIN, &config));
+    config.learner = CRITREG_VERSION_SPACE;     /* which does not read it */
+    OK(init(DOMAIN, &config));
 }
 
-/* The macros are enough; one byte less than the exact size is not. */
+/* What only the version space reads. */
+static void wrong_shares_and_sizes(void)
+{
+    static const double wrong[] = {-0.001, 1.001, 1e300, -1e300};
+    static const double unfinite[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+    static const uint32_t steps[] = {0, CRITREG_MAX_STEPS + 1, UINT32_MAX};
+    critreg_config config;
+    size_t i, field;
+
+    kind = CRITREG_VERSION_SPACE;
+    for (i = 0; i < 7; i++) {
+        for (field = 0; field < 4; field++) {
+            double *shares[4];
+            config = reach_config();
+            shares[0] = &config.noise;
+            shares[1] = &config.exploring;
+            shares[2] = &config.slack;
+            shares[3] = &config.confidence;
+            *shares[field] = i < 4 ? wrong[i] : unfinite[i - 4];
+            EXPECT(i < 4 ? CRITREG_INVALID_ARGUMENT : CRITREG_NOT_FINITE, init(DOMAIN, &config));
+            config.learner = CRITREG_ALGORITHM1;
+            OK(init(DOMAIN, &config));
+        }
+    }
+    config = reach_config();
+    config.noise = 0.25;
+    EXPECT(CRITREG_INVALID_ARGUMENT, init(DOMAIN, &config));
+    for (i = 0; i < 3; i++) {
+        config = reach_config();
+        config.steps = steps[i];
+        EXPECT(CRITREG_INVALID_ARGUMENT, init(DOMAIN, &config));
+        EXPECT_TRUE(critreg_learner_size(&config) == 0);
+    }
+    config = reach_config();
+    config.instances = 0;
+    EXPECT(CRITREG_INVALID_ARGUMENT, init(DOMAIN, &config));
+    config.instances = UINT32_MAX;
+    EXPECT(CRITREG_TOO_SMALL, init(DOMAIN, &config));
+    config = reach_config();
+    config.observations = CRITREG_MAX_OBSERVATIONS + 1;
+    EXPECT(CRITREG_INVALID_ARGUMENT, init(DOMAIN, &config));
+    config.observations = CRITREG_MAX_OBSERVATIONS;
+    EXPECT(CRITREG_TOO_SMALL, init(DOMAIN, &config));
+}
+
+/* What the header says about the defaults. */
+static void defaults(void)
+{
+    critreg_config config;
+
+    OK(critreg_config_init(&config, sizeof config));
+    EXPECT_TRUE(config.struct_size == sizeof config && config.learner == CRITREG_VERSION_SPACE);
+    EXPECT_TRUE(config.seed == 0 && config.hypotheses == 0 && config.observations == 0);
+    EXPECT_TRUE(config.iterations == 100 && config.certifying == 10 && config.steps == 1);
+    EXPECT_TRUE(config.instances == CRITREG_DEFAULT_INSTANCES);
+    EXPECT_TRUE(config.noise == 0.0 && config.exploring == 0.1 && config.slack == 0.05);
+    EXPECT_TRUE(config.confidence == 0.95);
+    EXPECT_TRUE(config.negative == NULL && config.positive == NULL);
+    EXPECT_TRUE(config.progress == NULL && config.progress_data == NULL);
+}
+
+/* The macro is enough and not much more; one byte less than the exact size is not
+ * enough. */
+static void size_of_one(uint32_t hypotheses, uint32_t observations, uint32_t instances,
+                        uint32_t steps)
+{
+    size_t bytes = CRITREG_LEARNER_WORDS_FOR(hypotheses, observations, instances, steps)
+                   * sizeof(uint64_t);
+    critreg_config config = reach_config();
+    uint64_t *own = (uint64_t *)malloc(bytes);
+    size_t size;
+
+    config.hypotheses = hypotheses;
+    config.observations = observations;
+    config.instances = instances;
+    config.steps = steps;
+    size = critreg_learner_size(&config);
+    EXPECT_TRUE(size > 0 && size <= bytes && own != NULL);
+    if (kind == CRITREG_VERSION_SPACE && hypotheses < 400000)
+        EXPECT_TRUE(size + 4096 > bytes * 9 / 10);
+    EXPECT(CRITREG_TOO_SMALL, critreg_learner_init(own, size - 1, DOMAIN, &config, &learner));
+    OK(critreg_learner_init(own, size, DOMAIN, &config, &learner));
+    free(own);
+}
+
 static void sizes(void)
 {
-    static const uint32_t some[] = {4, 7, 64, 1000, 1024, 4096, 20000, 65536, 1000000, 16777216};
-    static const uint32_t observations[] = {1, 2, 102, 256, 4096};
+    static const uint32_t some[] = {4, 7, 64, 1000, 1024, 4096, 20000, 65536, 1000000};
+    static const uint32_t observations[] = {1, 2, 64, 102, 256, CRITREG_MAX_OBSERVATIONS};
     size_t i, j;
 
     EXPECT_TRUE(critreg_learner_align() == 8 || critreg_learner_align() == 4);
     EXPECT_TRUE(critreg_region_align() <= sizeof(uint64_t));
     EXPECT_TRUE(critreg_region_size() <= CRITREG_REGION_WORDS * sizeof(uint64_t));
     EXPECT_TRUE(critreg_region_size() > CRITREG_REGION_WORDS * sizeof(uint64_t) * 9 / 10);
+    EXPECT_TRUE(critreg_learner_size(NULL) <= 8 * CRITREG_LEARNER_WORDS(4096, 256));
+    EXPECT_TRUE(critreg_learner_size(ASKEW(critreg_config, memory)) == 0);
     for (i = 0; i < sizeof some / sizeof *some; i++) {
         for (j = 0; j < sizeof observations / sizeof *observations; j++) {
-            size_t size = critreg_learner_size(some[i], observations[j]);
-            size_t bytes = CRITREG_LEARNER_WORDS(some[i], observations[j]) * sizeof(uint64_t);
-            critreg_config config = reach_config();
-            uint64_t *own = (uint64_t *)malloc(bytes);
-            EXPECT_TRUE(size <= bytes && own != NULL);
-            config.hypotheses = some[i];
-            config.observations = observations[j];
-            EXPECT(CRITREG_TOO_SMALL,
-                   critreg_learner_init(own, size - 1, DOMAIN, &config, &learner));
-            OK(critreg_learner_init(own, size, DOMAIN, &config, &learner));
-            free(own);
+            /* What is large is also slow to fill. */
+            if (some[i] > 65536 && j > 1)
+                continue;
+            size_of_one(some[i], observations[j], CRITREG_DEFAULT_INSTANCES, 1);
+            size_of_one(some[i], observations[j], 1, CRITREG_MAX_STEPS);
         }
+        size_of_one(some[i], 100, 64, 2);
     }
 }
 
-/* Without a configuration the memory decides, and nothing behind it is touched. */
+/* Without a number of hypotheses the memory decides, and nothing behind it is
+ * touched. */
 static void capacity_from_memory(void)
 {
     static uint64_t large[CRITREG_LEARNER_WORDS(4096, 256)];
     unsigned char *bytes = (unsigned char *)large;
+    critreg_config config;
     critreg_report report;
-    size_t len, i;
+    size_t len, i, instance;
+    double task[13], theta;
 
-    OK(critreg_learner_init(large, sizeof large, critreg_stick_button_domain(), NULL, &learner));
+    OK(critreg_config_init(&config, sizeof config));
+    config.learner = kind;
+    OK(critreg_stick_button_task(1, 0, task, 13));
+    OK(critreg_learner_init(large, sizeof large, critreg_stick_button_domain(), &config, &learner));
+    OK(critreg_ask(learner, task, 1, &instance, &theta));
     OK(critreg_report_init(&report, sizeof report));
     OK(critreg_learner_report(learner, &report));
-    EXPECT_TRUE(report.kept >= 4096 && report.left_out > 0);
+    EXPECT_TRUE(report.kept >= 4096 || report.left_out == 0);
     EXPECT_TRUE(report.enumerated == report.kept + report.left_out);
-    for (len = 0; len < sizeof large; len += 1237) {
+    config.hypotheses = 4096;
+    config.observations = 256;
+    OK(critreg_learner_init(large, sizeof large, critreg_stick_button_domain(), &config, &learner));
+    config.hypotheses = 0;
+    for (len = 0; len < sizeof large; len += 9901) {
         critreg_status status;
         int untouched = 1;
         memset(bytes, 0xA5, sizeof large);
-        status = critreg_learner_init(large, len, DOMAIN, NULL, &learner);
+        status = critreg_learner_init(large, len, DOMAIN, &config, &learner);
         EXPECT_TRUE(status == CRITREG_OK || status == CRITREG_TOO_SMALL);
+        if (status == CRITREG_OK)
+            (void)critreg_learn_region(learner, WALLS, INSTANCES, reach, NULL, NULL);
         for (i = len; i < sizeof large; i++)
             untouched &= bytes[i] == 0xA5;
         EXPECT_TRUE(untouched);
@@ -195,6 +299,19 @@ static void failure_retires(void)
     EXPECT_TRUE(again == NULL && other == NULL);
 }
 
+static void tests(void)
+{
+    critreg_learner *const sentinel = (critreg_learner *)(void *)&failures;
+
+    learner = sentinel;
+    wrong_configurations();
+    EXPECT_TRUE(learner == sentinel);
+    sizes();
+    capacity_from_memory();
+    failure_retires();
+    expect_usable(reach_learner(memory, sizeof memory));
+}
+
 int main(void)
 {
     critreg_learner *const sentinel = (critreg_learner *)(void *)&failures;
@@ -203,12 +320,9 @@ int main(void)
     wrong_arguments();
     EXPECT_TRUE(learner == sentinel);
     wrong_texts();
-    learner = sentinel;
-    wrong_configurations();
-    EXPECT_TRUE(learner == sentinel);
-    sizes();
-    capacity_from_memory();
-    failure_retires();
-    expect_usable(reach_learner(memory, sizeof memory));
+    wrong_manual_samples();
+    wrong_shares_and_sizes();
+    defaults();
+    with_each_learner(tests);
     return summary();
 }

@@ -2,7 +2,8 @@
 #include "expect.h"
 
 static uint64_t memory[CRITREG_LEARNER_WORDS(1024, 256)];
-static uint64_t other[CRITREG_LEARNER_WORDS(1024, 256)];
+static uint64_t other[CRITREG_LEARNER_WORDS_FOR(1024, 256, CRITREG_DEFAULT_INSTANCES,
+                                               CRITREG_MAX_STEPS)];
 
 /* Every function refuses what is no learner. */
 static void no_handle(critreg_learner *learner, critreg_status expected)
@@ -151,7 +152,107 @@ static void full_of_observations(void)
     OK(critreg_report_init(&report, sizeof report));
     OK(critreg_learner_report(learner, &report));
     EXPECT_TRUE(report.calls == 3);
-    OK(critreg_learner_region(learner, &region));
+    EXPECT(kind == CRITREG_ALGORITHM1 ? CRITREG_OK : CRITREG_NO_REGION,
+           critreg_learner_region(learner, &region));
+}
+
+/* A learner with room for three instances refuses a fourth, and learns from three. */
+static void too_many_instances(void)
+{
+    critreg_config config = reach_config();
+    critreg_learner *learner;
+    size_t instance;
+    double theta;
+    char why[128];
+
+    config.instances = INSTANCES - 1;
+    OK(critreg_learner_init(memory, sizeof memory, DOMAIN, &config, &learner));
+    if (kind == CRITREG_ALGORITHM1) {
+        OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+        return;
+    }
+    EXPECT(CRITREG_CAPACITY_EXCEEDED,
+           critreg_learn_region(learner, WALLS, INSTANCES, reach, NULL, NULL));
+    EXPECT(CRITREG_CAPACITY_EXCEEDED, critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+    OK(critreg_learner_message(learner, why, sizeof why, NULL));
+    EXPECT_TRUE(strstr(why, "instances") != NULL);
+    OK(critreg_learn_region(learner, WALLS, INSTANCES - 1, reach, NULL, NULL));
+}
+
+/* The step that failed must be one of those that the configuration has. */
+static void wrong_steps(void)
+{
+    critreg_config config = reach_config();
+    critreg_learner *learner;
+    uint32_t steps;
+    size_t instance;
+    double theta;
+
+    for (steps = 1; steps <= CRITREG_MAX_STEPS; steps++) {
+        critreg_outcome outcome = (critreg_outcome)steps + 1;
+        critreg_status expected = kind == CRITREG_ALGORITHM1 ? CRITREG_OK
+                                                             : CRITREG_INVALID_ARGUMENT;
+        config.steps = steps;
+        OK(critreg_learner_init(other, sizeof other, DOMAIN, &config, &learner));
+        OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+        EXPECT(expected, critreg_tell(learner, WALLS, INSTANCES, outcome));
+        OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+        EXPECT(expected, critreg_tell(learner, WALLS, INSTANCES, INT32_MAX));
+        OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+        OK(critreg_tell(learner, WALLS, INSTANCES, (critreg_outcome)steps));
+    }
+    learner = reach_learner(memory, sizeof memory);
+    OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+    if (kind == CRITREG_VERSION_SPACE)
+        EXPECT(CRITREG_INVALID_ARGUMENT, critreg_tell(learner, WALLS, INSTANCES, 2));
+    expect_usable(learner);
+}
+
+/* Asks, tries and tells so many times, or to the end. */
+static int go_on(critreg_learner *learner, int samples)
+{
+    int done;
+    for (done = 0; done < samples; done++) {
+        critreg_outcome outcome;
+        int32_t finished;
+        size_t instance;
+        double theta;
+        OK(critreg_is_finished(learner, &finished));
+        if (finished)
+            break;
+        OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+        OK(reach(NULL, WALLS + 2 * instance, &theta, &outcome));
+        OK(critreg_tell(learner, WALLS, INSTANCES, outcome));
+    }
+    return done;
+}
+
+/* Resuming leads to the same end from wherever a run was saved. */
+static void resumed_everywhere(double noise)
+{
+    static uint8_t bytes[8192], end[8192], again[8192];
+    critreg_config config = reach_config();
+    critreg_learner *first, *second;
+    size_t length, end_length = 0, again_length;
+    int told;
+
+    config.noise = noise;
+    for (told = SAMPLES; told >= 0; told--) {
+        OK(critreg_learner_init(memory, sizeof memory, DOMAIN, &config, &first));
+        EXPECT_TRUE(go_on(first, told) == told);
+        OK(critreg_learner_save(first, WALLS, INSTANCES, bytes, sizeof bytes, &length));
+        if (told == SAMPLES) {
+            memcpy(end, bytes, length);
+            end_length = length;
+        }
+        OK(critreg_learner_init(other, sizeof other, DOMAIN, &config, &second));
+        OK(critreg_learner_resume(second, WALLS, INSTANCES, bytes, length));
+        EXPECT_TRUE(go_on(second, 1000) == SAMPLES - told);
+        OK(critreg_learner_save(second, WALLS, INSTANCES, again, sizeof again, &again_length));
+        EXPECT_TRUE(again_length == end_length && memcmp(again, end, end_length) == 0);
+        if (noise == 0.0)
+            expect_usable(second);
+    }
 }
 
 static void damaged_runs(void)
@@ -205,14 +306,27 @@ static void damaged_runs(void)
     config.seed = 2;
     OK(critreg_learner_init(other, sizeof other, DOMAIN, &config, &second));
     EXPECT(CRITREG_MISMATCH, critreg_learner_resume(second, WALLS, INSTANCES, bytes, length));
+    config = reach_config();    /* the run of another learner */
+    config.learner = CRITREG_ALGORITHM1 + CRITREG_VERSION_SPACE - kind;
+    OK(critreg_learner_init(other, sizeof other, DOMAIN, &config, &second));
+    EXPECT(CRITREG_MISMATCH, critreg_learner_resume(second, WALLS, INSTANCES, bytes, length));
 }
 
-int main(void)
+static void tests(void)
 {
     wrong_handles();
     wrong_outputs();
     wrong_instances();
     full_of_observations();
+    too_many_instances();
+    wrong_steps();
     damaged_runs();
+    resumed_everywhere(0.0);
+    resumed_everywhere(0.05);
+}
+
+int main(void)
+{
+    with_each_learner(tests);
     return summary();
 }

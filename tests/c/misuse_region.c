@@ -15,6 +15,7 @@ static critreg_region *parsed(void)
 /* Every function refuses what is no region. */
 static void no_handle(const critreg_region *region, critreg_status expected)
 {
+    critreg_constraint constraint;
     critreg_rng rng = critreg_rng_seed(1);
     double theta = 0.5, ends[2];
     size_t number;
@@ -30,6 +31,22 @@ static void no_handle(const critreg_region *region, critreg_status expected)
     EXPECT(expected, critreg_region_intervals(region, WALLS, ends, 1, &number));
     EXPECT(expected, critreg_region_is_empty(region, WALLS, &answer));
     EXPECT(expected, critreg_sample_region(region, WALLS, &rng, &theta));
+    OK(critreg_constraint_init(&constraint, sizeof constraint));
+    EXPECT(expected, critreg_region_constraint_count(region, &number));
+    EXPECT(expected, critreg_region_constraint(region, 0, &constraint));
+    EXPECT(expected, critreg_region_constraint_format(region, 0, text, sizeof text, &number));
+    EXPECT(expected, critreg_region_constraint_name(region, 0, text, sizeof text, &number));
+}
+
+/* Tells the truth about the next sample. */
+static void tell_one(critreg_learner *learner)
+{
+    critreg_outcome outcome;
+    size_t instance;
+    double theta;
+    OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+    OK(reach(NULL, WALLS + 2 * instance, &theta, &outcome));
+    OK(critreg_tell(learner, WALLS, INSTANCES, outcome));
 }
 
 static void wrong_handles(void)
@@ -50,15 +67,13 @@ static void wrong_handles(void)
     no_handle((critreg_region *)(void *)learner, CRITREG_NOT_A_HANDLE);
 
     /* The learner's region is valid until the learner goes on. */
-    OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
-    OK(critreg_tell(learner, WALLS, INSTANCES, CRITREG_INFEASIBLE));
     EXPECT(CRITREG_NO_REGION, critreg_learner_region(learner, &learned));
-    OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
-    OK(critreg_tell(learner, WALLS, INSTANCES, CRITREG_FEASIBLE));
-    OK(critreg_learner_region(learner, &learned));
+    do
+        tell_one(learner);
+    while (critreg_learner_region(learner, &learned) == CRITREG_NO_REGION);
     OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
     OK(critreg_region_instance_len(learned, &instance));
-    OK(critreg_tell(learner, WALLS, INSTANCES, CRITREG_FEASIBLE));
+    tell_one(learner);
     no_handle(learned, CRITREG_NOT_A_HANDLE);
 }
 
@@ -142,6 +157,90 @@ static void text_and_bytes(void)
     OK(critreg_region_load(other, sizeof other, bytes, length, &loaded));
     OK(critreg_region_format(loaded, again, sizeof again, NULL));
     EXPECT_TRUE(strcmp(text, again) == 0);
+}
+
+/* The constraints one by one, of a region whose learner knows what supports them
+ * if evidence is not 0. Joined they are the region. */
+static void constraints_of(const critreg_region *region, int evidence)
+{
+    critreg_constraint constraint, unset;
+    char whole[2048], joined[2048] = "", text[512], name[256];
+    size_t count = 0, needed, i;
+
+    OK(critreg_region_constraint_count(region, &count));
+    EXPECT_TRUE(count > 0 && count <= CRITREG_MAX_CONSTRAINTS);
+    for (i = 0; i < count; i++) {
+        OK(critreg_constraint_init(&constraint, sizeof constraint));
+        OK(critreg_region_constraint(region, i, &constraint));
+        EXPECT_TRUE(constraint.struct_size == sizeof constraint);
+        EXPECT_TRUE(constraint.has_evidence == evidence);
+        if (evidence) {
+            EXPECT_TRUE(constraint.step == 1 && constraint.support > 0);
+            EXPECT_TRUE(constraint.feasible != constraint.infeasible);
+        } else {
+            EXPECT_TRUE(constraint.step == 0 && constraint.support == 0);
+            EXPECT_TRUE(isnan(constraint.feasible) && isnan(constraint.infeasible));
+        }
+        OK(critreg_region_constraint_format(region, i, text, sizeof text, &needed));
+        EXPECT_TRUE(needed == strlen(text) + 1);
+        OK(critreg_check_region(DOMAIN, text, NULL, 0, NULL));
+        OK(critreg_region_constraint_name(region, i, name, sizeof name, NULL));
+        EXPECT_TRUE((strchr(text, '(') != NULL && text[needed - 2] == ')') >= (name[0] != '\0'));
+        EXPECT_TRUE(strstr(text, name) != NULL);
+        sprintf(joined + strlen(joined), "%s%s", i == 0 ? "" : " and ", text);
+    }
+    OK(critreg_region_format(region, whole, sizeof whole, NULL));
+    EXPECT_TRUE(strcmp(whole, joined) == 0);
+
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_constraint_count(region, NULL));
+    EXPECT(CRITREG_MISALIGNED, critreg_region_constraint_count(region, ASKEW(size_t, other)));
+    EXPECT(CRITREG_NULL_POINTER, critreg_constraint_init(NULL, sizeof constraint));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_constraint_init(ASKEW(critreg_constraint, other), sizeof constraint));
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_constraint_init(&constraint, sizeof constraint - 1));
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_constraint_init(&constraint, sizeof constraint + 1));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_constraint(region, 0, NULL));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_region_constraint(region, 0, ASKEW(critreg_constraint, other)));
+    memset(&unset, 0, sizeof unset);
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_region_constraint(region, 0, &unset));
+    constraint.support = 77;
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_region_constraint(region, count, &constraint));
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_region_constraint(region, SIZE_MAX, &constraint));
+    EXPECT_TRUE(constraint.support == 77);
+    text[0] = 'x';
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_region_constraint_format(region, count, text, sizeof text, NULL));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_region_constraint_name(region, count, text, sizeof text, NULL));
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_constraint_format(region, 0, text, 3, &needed));
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_constraint_name(region, 0, NULL, 0, &needed));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_constraint_format(region, 0, NULL, 9, NULL));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_region_constraint_name(region, 0, text, 9, ASKEW(size_t, other)));
+    EXPECT_TRUE(text[0] == 'x');
+}
+
+static void constraints(void)
+{
+    static uint64_t learner_memory[CRITREG_LEARNER_WORDS(1024, 256)];
+    critreg_learner *learner = reach_learner(learner_memory, sizeof learner_memory);
+    const critreg_region *learned;
+    critreg_region *loaded;
+    uint8_t bytes[4096];
+    char name[64];
+    size_t length;
+
+    OK(critreg_learn_region(learner, WALLS, INSTANCES, reach, NULL, &learned));
+    constraints_of(learned, kind == CRITREG_VERSION_SPACE);
+    OK(critreg_region_save(learned, bytes, sizeof bytes, &length));
+    OK(critreg_region_load(other, sizeof other, bytes, length, &loaded));
+    constraints_of(loaded, 0);
+    constraints_of(parsed(), 0);
+    OK(critreg_region_constraint_name(parsed(), 0, name, sizeof name, NULL));
+    EXPECT_TRUE(strcmp(name, "1.5*hand.radius") == 0);
+    OK(critreg_region_constraint_name(parsed(), 1, name, sizeof name, &length));
+    EXPECT_TRUE(name[0] == '\0' && length == 1);
 }
 
 static void wrong_questions(void)
@@ -262,7 +361,8 @@ static void words_for_every_status(void)
 
 int main(void)
 {
-    wrong_handles();
+    with_each_learner(wrong_handles);
+    with_each_learner(constraints);
     wrong_makers();
     text_and_bytes();
     wrong_questions();

@@ -39,6 +39,11 @@ fn wrong_regions() {
 }
 
 #[test]
+fn chains_noise_and_certificates() {
+    passes("learning", &["learning.c"]);
+}
+
+#[test]
 fn two_translation_units_include_the_header() {
     passes("two_units", &["two_units_main.c", "two_units_other.c"]);
 }

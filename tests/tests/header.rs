@@ -4,13 +4,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 10] = [
+const SOURCES: [&str; 13] = [
     "status.rs",
     "memory.rs",
+    "report.rs",
     "config.rs",
     "learner.rs",
     "learning.rs",
+    "saving.rs",
     "region.rs",
+    "constraint.rs",
     "sampling.rs",
     "rng.rs",
     "check.rs",
@@ -72,5 +75,43 @@ fn everything_is_documented() {
             "no comment above: {line}"
         );
         previous = line;
+    }
+}
+
+/// The manual's table of how much memory a learner takes is true on machines with
+/// pointers of 64 bits.
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn the_table_of_memory_is_true() {
+    use critreg_ffi::config::{CRITREG_ALGORITHM1, CRITREG_VERSION_SPACE, critreg_config_init};
+    use critreg_ffi::learner::critreg_learner_size;
+    let size = |learner: u32, hypotheses: usize, observations: usize| {
+        let mut config = std::mem::MaybeUninit::uninit();
+        // SAFETY: the pointer is to a variable of the size told, which is
+        // initialised when it succeeds.
+        let mut config = unsafe {
+            let len = size_of_val(&config);
+            assert_eq!(critreg_config_init(config.as_mut_ptr(), len), 0);
+            config.assume_init()
+        };
+        config.learner = learner;
+        config.hypotheses = hypotheses as u32;
+        config.observations = observations as u32;
+        // SAFETY: it is a configuration.
+        unsafe { critreg_learner_size(&config) }
+    };
+    let header = generated();
+    let (_, table) = header.split_once("hypotheses  observations").unwrap();
+    let rows = table.lines().skip(1).map_while(|line| {
+        let words = line.split_whitespace();
+        let numbers: Vec<usize> = words.filter_map(|word| word.parse().ok()).collect();
+        <[usize; 4]>::try_from(numbers).ok()
+    });
+    let rows: Vec<_> = rows.collect();
+    assert_eq!(rows.len(), 4);
+    for [hypotheses, observations, sound, thesis] in rows {
+        let is = [CRITREG_VERSION_SPACE, CRITREG_ALGORITHM1]
+            .map(|learner| size(learner, hypotheses, observations));
+        assert_eq!([sound, thesis], is, "{hypotheses}, {observations}");
     }
 }

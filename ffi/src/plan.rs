@@ -1,0 +1,244 @@
+//! Where the parts of a learner lie in its memory.
+
+use crate::any::{AnyLearner, Capacity};
+use crate::config::critreg_config;
+use crate::learner::critreg_learner;
+use crate::memory::{DomainPlan, Part, Planner, append};
+use crate::region::critreg_region;
+use crate::status::Fallible;
+use critreg_core::domain::{Domain, Node};
+use critreg_core::learn::version_space::{self, Cover, Sample, Span, VersionSpace};
+use critreg_core::learn::{self, Algorithm1, Bounds, Observation};
+
+/// The parts of a learner.
+pub(crate) struct LearnerPlan {
+    pub(crate) handle: Part<critreg_learner>,
+    pub(crate) region: Part<critreg_region>,
+    pub(crate) domain: DomainPlan,
+    tables: Tables,
+    pub(crate) size: usize,
+}
+
+/// The tables of each kind of learner.
+enum Tables {
+    Algorithm1(Algorithm1Tables),
+    VersionSpace(VersionSpaceTables),
+}
+
+struct Algorithm1Tables {
+    capacity: learn::Capacity,
+    features: Part<Node>,
+    values: Part<f64>,
+    bounds: Part<Bounds<f64>>,
+    observations: Part<Observation>,
+    pairs: Part<u8>,
+}
+
+struct VersionSpaceTables {
+    capacity: version_space::Capacity,
+    features: Part<Node>,
+    values: Part<f64>,
+    columns: Part<u16>,
+    instances: Part<f64>,
+    spans: Part<Span<f64>>,
+    bits: Part<u64>,
+    rows: Part<f64>,
+    covers: Part<Cover<f64>>,
+    samples: Part<Sample>,
+    observations: Part<Observation>,
+}
+
+impl Algorithm1Tables {
+    const fn new(planner: &mut Planner, capacity: learn::Capacity) -> Option<Self> {
+        Some(Algorithm1Tables {
+            capacity,
+            features: append!(planner, capacity.features()),
+            values: append!(planner, capacity.features()),
+            bounds: append!(planner, capacity.lefts()),
+            observations: append!(planner, capacity.observations),
+            pairs: append!(planner, capacity.pairs()),
+        })
+    }
+}
+
+/// `left * right`, or a number that no memory has.
+const fn times(left: usize, right: usize) -> usize {
+    left.saturating_mul(right)
+}
+
+impl VersionSpaceTables {
+    const fn new(planner: &mut Planner, capacity: version_space::Capacity) -> Option<Self> {
+        // The products of the capacity are computed once they cannot overflow.
+        let words = times(capacity.forms, capacity.observations.div_ceil(64));
+        let most = [
+            times(capacity.features(), capacity.instances),
+            times(capacity.forms, capacity.steps),
+            times(words, 2),
+        ];
+        let [a, b, c] = most;
+        if a == usize::MAX || b == usize::MAX || c == usize::MAX {
+            return None;
+        }
+        Some(VersionSpaceTables {
+            capacity,
+            features: append!(planner, capacity.features()),
+            values: append!(planner, capacity.features()),
+            instances: append!(planner, capacity.instance_values()),
+            spans: append!(planner, capacity.spans()),
+            bits: append!(planner, capacity.bits()),
+            rows: append!(planner, capacity.rows()),
+            covers: append!(planner, capacity.covers()),
+            observations: append!(planner, capacity.observations),
+            samples: append!(planner, capacity.observations),
+            columns: append!(planner, capacity.features()),
+        })
+    }
+}
+
+impl LearnerPlan {
+    pub(crate) const fn new(capacity: Capacity) -> Option<LearnerPlan> {
+        let mut planner = Planner { size: 0 };
+        let handle = append!(planner, 1);
+        let region = append!(planner, 1);
+        let Some(domain) = DomainPlan::new(&mut planner) else {
+            return None;
+        };
+        let tables = match capacity {
+            Capacity::Algorithm1(capacity) => match Algorithm1Tables::new(&mut planner, capacity) {
+                Some(tables) => Tables::Algorithm1(tables),
+                None => return None,
+            },
+            Capacity::VersionSpace(capacity) => {
+                match VersionSpaceTables::new(&mut planner, capacity) {
+                    Some(tables) => Tables::VersionSpace(tables),
+                    None => return None,
+                }
+            }
+        };
+        Some(LearnerPlan {
+            handle,
+            region,
+            domain,
+            tables,
+            size: planner.size,
+        })
+    }
+
+    /// The capacity with the most hypotheses, up to a number, for which there is
+    /// room in so many bytes.
+    pub(crate) fn largest(bytes: usize, capacity: Capacity, most: usize) -> Capacity {
+        let fits = |hypotheses| {
+            let plan = LearnerPlan::new(capacity.with_hypotheses(hypotheses));
+            plan.is_some_and(|plan| plan.size <= bytes)
+        };
+        let (mut enough, mut too_many) = (0, most.saturating_add(1));
+        while too_many.saturating_sub(enough) > 1 {
+            let middle = enough + (too_many - enough) / 2;
+            if fits(middle) {
+                enough = middle;
+            } else {
+                too_many = middle;
+            }
+        }
+        capacity.with_hypotheses(enough)
+    }
+
+    /// Makes the learner whose tables these are.
+    ///
+    /// # Safety
+    /// As for [`Part::fill`], and [`critreg_config::algorithm1`].
+    pub(crate) unsafe fn make(
+        &self,
+        memory: *mut u8,
+        domain: &Domain<'_>,
+        config: &critreg_config,
+    ) -> Fallible<AnyLearner> {
+        match &self.tables {
+            Tables::Algorithm1(tables) => {
+                // SAFETY: by this function's contract; the parts do not overlap.
+                let (settings, memory) = unsafe {
+                    let lent = learn::Memory {
+                        features: tables.features.fill(memory, Node::Number(0.0)),
+                        values: tables.values.fill(memory, 0.0),
+                        pairs: tables.pairs.fill(memory, 0),
+                        bounds: tables.bounds.fill(memory, Default::default()),
+                        observations: tables.observations.fill(memory, Default::default()),
+                    };
+                    (config.algorithm1(domain)?, lent)
+                };
+                let learner = Algorithm1::new(domain, settings, tables.capacity, memory)?;
+                Ok(AnyLearner::Algorithm1(learner))
+            }
+            Tables::VersionSpace(tables) => {
+                let settings = config.version_space()?;
+                // SAFETY: by this function's contract; the parts do not overlap.
+                let memory = unsafe {
+                    version_space::Memory {
+                        features: tables.features.fill(memory, Node::Number(0.0)),
+                        values: tables.values.fill(memory, 0.0),
+                        columns: tables.columns.fill(memory, 0),
+                        instances: tables.instances.fill(memory, 0.0),
+                        spans: tables.spans.fill(memory, Default::default()),
+                        bits: tables.bits.fill(memory, 0),
+                        rows: tables.rows.fill(memory, 0.0),
+                        covers: tables.covers.fill(memory, Default::default()),
+                        samples: tables.samples.fill(memory, Default::default()),
+                        observations: tables.observations.fill(memory, Default::default()),
+                    }
+                };
+                let learner = VersionSpace::new(domain, settings, tables.capacity, memory)?;
+                Ok(AnyLearner::VersionSpace(learner))
+            }
+        }
+    }
+}
+
+/// The macro CRITREG_LEARNER_WORDS_FOR of the header, in bytes.
+const fn promised(forms: usize, observations: usize, instances: usize, steps: usize) -> usize {
+    use crate::memory::*;
+    let lefts = if forms / 128 < 48 { forms / 128 } else { 48 } + 16;
+    let per_form = CRITREG_SPAN_BYTES * steps + 16 * observations.div_ceil(64);
+    CRITREG_LEARNER_FIXED_BYTES
+        + CRITREG_HANDLE_POINTERS * size_of::<*const u8>()
+        + (forms / 8 + 64) * (CRITREG_FEATURE_BYTES + 8 * instances)
+        + forms * per_form
+        + observations * (CRITREG_OBSERVATION_BYTES + 8 * lefts)
+        + steps * CRITREG_STEP_BYTES
+}
+
+const fn fits(capacity: Capacity, bytes: usize) -> bool {
+    match LearnerPlan::new(capacity) {
+        Some(plan) => plan.size <= bytes,
+        None => false,
+    }
+}
+
+// It promises enough memory for both learners; on every target that is built.
+#[expect(clippy::indexing_slicing, reason = "runs while compiling only")]
+const _: () = {
+    const OBSERVATIONS: [usize; 5] = [1, 64, 65, 256, 2048];
+    const SHAPES: [(usize, usize); 3] = [(1, 1), (16, 1), (64, 4)];
+    let mut forms = 4;
+    while forms < 1 << 18 {
+        let mut at = 0;
+        while at < OBSERVATIONS.len() * SHAPES.len() {
+            let observations = OBSERVATIONS[at % OBSERVATIONS.len()];
+            let (instances, steps) = SHAPES[at / OBSERVATIONS.len()];
+            let bytes = promised(forms, observations, instances, steps);
+            let first = learn::Capacity {
+                hypotheses: forms,
+                observations,
+            };
+            let second = version_space::Capacity {
+                forms,
+                observations,
+                instances,
+                steps,
+            };
+            assert!(fits(Capacity::Algorithm1(first), bytes));
+            assert!(fits(Capacity::VersionSpace(second), bytes));
+            at += 1;
+        }
+        forms = forms * 3 / 2 + 1;
+    }
+};

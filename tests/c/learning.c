@@ -1,0 +1,144 @@
+/* What the version space tells a C program: chains, noise, the certificate. */
+#include "expect.h"
+
+static uint64_t memory[CRITREG_LEARNER_WORDS_FOR(1024, 512, INSTANCES, 2)];
+
+static critreg_learner *learner_for(uint32_t steps, uint32_t iterations, double noise)
+{
+    critreg_config config = reach_config();
+    critreg_learner *learner = NULL;
+    config.steps = steps;
+    config.iterations = iterations;
+    config.observations = 512;
+    config.instances = INSTANCES;
+    config.noise = noise;
+    OK(critreg_learner_init(memory, sizeof memory, DOMAIN, &config, &learner));
+    return learner;
+}
+
+/* First the hand must not touch the wall, then it must be beyond 0.5. */
+static critreg_status reach_then_lift(void *user_data, const double *instance,
+                                      const double *theta, critreg_outcome *outcome)
+{
+    (void)user_data;
+    if (theta[0] > instance[0] - 0.1)
+        *outcome = 1;
+    else
+        *outcome = theta[0] >= 0.5 ? CRITREG_FEASIBLE : 2;
+    return CRITREG_OK;
+}
+
+static void chain(void)
+{
+    critreg_learner *learner = learner_for(2, 100, 0.0);
+    const critreg_region *region = NULL;
+    size_t count = 0, i;
+    int32_t inside;
+    int seen[3] = {0, 0, 0};
+    const double samples[] = {0.55, 0.89, 0.45, 0.95}, wall[] = {1.0, 0.0};
+
+    OK(critreg_learn_region(learner, WALLS, INSTANCES, reach_then_lift, NULL, &region));
+    OK(critreg_region_constraint_count(region, &count));
+    for (i = 0; i < count; i++) {
+        critreg_constraint constraint;
+        OK(critreg_constraint_init(&constraint, sizeof constraint));
+        OK(critreg_region_constraint(region, i, &constraint));
+        EXPECT_TRUE(constraint.step == 1 || constraint.step == 2);
+        EXPECT_TRUE(constraint.support > 0);
+        seen[constraint.step % 3]++;
+    }
+    EXPECT_TRUE(seen[1] > 0 && seen[2] > 0);
+    for (i = 0; i < 4; i++) {
+        OK(critreg_region_contains(region, wall, &samples[i], &inside));
+        EXPECT_TRUE(inside == (i < 2));
+    }
+}
+
+/* Every tenth answer is wrong, as it happens. */
+static critreg_status reach_mostly(void *user_data, const double *instance, const double *theta,
+                                   critreg_outcome *outcome)
+{
+    critreg_rng *rng = (critreg_rng *)user_data;
+    double share;
+    OK(critreg_rng_uniform(rng, &share));
+    OK(reach(NULL, instance, theta, outcome));
+    if (share < 0.1)
+        *outcome = *outcome == CRITREG_FEASIBLE ? CRITREG_INFEASIBLE : CRITREG_FEASIBLE;
+    return CRITREG_OK;
+}
+
+static void noise(void)
+{
+    critreg_learner *learner = learner_for(1, 500, 0.1);
+    const critreg_region *region = NULL;
+    critreg_rng rng = critreg_rng_seed(3);
+    critreg_report report;
+    int32_t inside;
+    double theta;
+    int wrong = 0, i;
+
+    OK(critreg_learn_region(learner, WALLS, INSTANCES, reach_mostly, &rng, &region));
+    OK(critreg_report_init(&report, sizeof report));
+    OK(critreg_learner_report(learner, &report));
+    EXPECT_TRUE(report.calls == 500);
+    EXPECT_TRUE(report.feasible + report.infeasible < 200);
+    for (i = 0; i < 400; i++) {
+        critreg_outcome outcome;
+        theta = 0.01 * i;
+        OK(critreg_region_contains(region, WALLS + 4, &theta, &inside));
+        OK(reach(NULL, WALLS + 4, &theta, &outcome));
+        wrong += inside != (outcome == CRITREG_FEASIBLE);
+    }
+    EXPECT_TRUE(wrong < 8);
+}
+
+static void certificate(void)
+{
+    critreg_learner *learner = learner_for(1, 100, 0.0);
+    critreg_report report;
+
+    OK(critreg_report_init(&report, sizeof report));
+    OK(critreg_learner_report(learner, &report));
+    EXPECT_TRUE(report.certificate_draws == 0 && report.certificate_lower_bound == 0.0);
+    OK(critreg_learn_region(learner, WALLS, INSTANCES, reach, NULL, NULL));
+    OK(critreg_learner_report(learner, &report));
+    EXPECT_TRUE(report.calls == 100 && report.kept > 0 && report.remaining == report.kept);
+    EXPECT_TRUE(report.certificate_draws > 0 && report.certificate_draws <= 10);
+    EXPECT_TRUE(report.certificate_feasible == report.certificate_draws);
+    EXPECT_TRUE(report.certificate_lower_bound > 0.0 && report.certificate_lower_bound < 1.0);
+}
+
+/* Neither answers that are all alike nor a coin make a region. */
+static critreg_status toss(void *user_data, const double *instance, const double *theta,
+                           critreg_outcome *outcome)
+{
+    critreg_rng *rng = (critreg_rng *)user_data;
+    double share = 0.0;
+    (void)instance;
+    (void)theta;
+    if (rng != NULL)
+        OK(critreg_rng_uniform(rng, &share));
+    *outcome = share < 0.5 ? CRITREG_FEASIBLE : CRITREG_INFEASIBLE;
+    return CRITREG_OK;
+}
+
+static void no_region(void)
+{
+    const critreg_region *region = NULL;
+    critreg_rng rng = critreg_rng_seed(5);
+
+    EXPECT(CRITREG_NO_REGION, critreg_learn_region(learner_for(1, 100, 0.0), WALLS, INSTANCES,
+                                                   toss, NULL, &region));
+    EXPECT(CRITREG_NO_REGION, critreg_learn_region(learner_for(1, 100, 0.0), WALLS, INSTANCES,
+                                                   toss, &rng, &region));
+    EXPECT_TRUE(region == NULL);
+}
+
+int main(void)
+{
+    chain();
+    noise();
+    certificate();
+    no_region();
+    return summary();
+}
