@@ -47,10 +47,15 @@ impl Statistics<'_> {
             ("recall", |r| r.score.recall),
         ];
         for (name, pick) in measures {
-            let least = found().map(pick).fold(1.0, f64::min);
-            let sum: f64 = found().map(pick).sum();
+            let values: Vec<f64> = found().map(pick).collect();
+            if values.is_empty() {
+                println!("{name}_min: none\n{name}_mean: none");
+                continue;
+            }
+            let least = values.iter().copied().fold(1.0, f64::min);
+            let mean = values.iter().sum::<f64>() / values.len() as f64;
             println!("{name}_min: {least:.4}");
-            println!("{name}_mean: {:.4}", sum / found().count().max(1) as f64);
+            println!("{name}_mean: {mean:.4}");
         }
         let mut calls: Vec<u32> = runs.iter().filter_map(|r| r.calls_to_exact).collect();
         calls.sort_unstable();
