@@ -184,11 +184,7 @@ impl Domain<'_> {
         lexer: &mut Lexer<'_>,
         nodes: &mut VecView<Node>,
     ) -> Result<NodeId, Error> {
-        ExpressionParser {
-            domain: self,
-            nodes,
-        }
-        .sum(lexer, 0)
+        self.parser(nodes).sum(lexer, 0)
     }
 
     /// Reads one factor of an expression: a number, a name, a call or a bracket.
@@ -200,11 +196,14 @@ impl Domain<'_> {
         lexer: &mut Lexer<'_>,
         nodes: &mut VecView<Node>,
     ) -> Result<NodeId, Error> {
+        self.parser(nodes).factor(lexer, 0)
+    }
+
+    fn parser<'p>(&'p self, nodes: &'p mut VecView<Node>) -> ExpressionParser<'p, 'p, 'p> {
         ExpressionParser {
             domain: self,
             nodes,
         }
-        .factor(lexer, 0)
     }
 
     /// The value of an expression that depends on constants only.

@@ -78,4 +78,16 @@ impl<'p> Problem<'p> {
     pub fn fingerprint(&self) -> u32 {
         self.fingerprint
     }
+
+    /// Checks that a learner that began with the problem of a fingerprint goes on
+    /// with the same.
+    pub(super) fn check_begun(&self, begun: Option<u32>) -> Result<(), Error> {
+        if begun == Some(self.fingerprint) {
+            Ok(())
+        } else {
+            Err(Error::Mismatch(
+                "the domain or the instances changed while learning",
+            ))
+        }
+    }
 }

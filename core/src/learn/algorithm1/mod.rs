@@ -292,12 +292,8 @@ impl<'m, R: Real> Algorithm1<'m, R> {
 
 impl<R: Real> Learner for Algorithm1<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
-        let begun = *self.problem.get_or_insert(problem.fingerprint());
-        if begun != problem.fingerprint() {
-            return Err(Error::Mismatch(
-                "the domain or the instances changed while learning",
-            ));
-        }
+        self.problem.get_or_insert(problem.fingerprint());
+        problem.check_begun(self.problem)?;
         if let Some(pending) = self.pending {
             return Ok(pending);
         }
@@ -310,11 +306,7 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         let Some(query) = self.pending else {
             return Err(Error::OutOfSequence("ask for a sample before telling"));
         };
-        if self.problem != Some(problem.fingerprint()) {
-            return Err(Error::Mismatch(
-                "the domain or the instances changed while learning",
-            ));
-        }
+        problem.check_begun(self.problem)?;
         self.evaluate(problem, &query)?;
         self.observations.push(Observation::new(&query, answer)?)?;
         self.pending = None;

@@ -302,11 +302,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
             self.report.forms_left_out = self.forms.left_out();
             self.problem = Some(problem.fingerprint());
         }
-        if self.problem != Some(problem.fingerprint()) {
-            return Err(Error::Mismatch(
-                "the domain or the instances changed while learning",
-            ));
-        }
+        problem.check_begun(self.problem)?;
         let pending = match self.pending {
             Some(pending) => pending,
             None => self.next_query(problem)?,
@@ -319,11 +315,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         let Some(mut pending) = self.pending else {
             return Err(Error::OutOfSequence("ask for a sample before telling"));
         };
-        if self.problem != Some(problem.fingerprint()) {
-            return Err(Error::Mismatch(
-                "the domain or the instances changed while learning",
-            ));
-        }
+        problem.check_begun(self.problem)?;
         self.check_step(answer)?;
         self.observations
             .push(Observation::new(&pending.query, answer)?)?;
