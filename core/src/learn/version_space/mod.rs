@@ -83,6 +83,9 @@ use forms::{Forms, Storage};
 const COMPLEXITY: usize = 2;
 /// Infeasible samples that a constraint needs to be believed.
 const SUPPORT: usize = 2;
+/// Infeasible samples per constraint that a region needs to be given out: among
+/// thousands of forms some explain a few answers by chance.
+const CREDIBLE: usize = 6;
 /// By how much more likely an answer must be than its opposite.
 const BEYOND_DOUBT: f64 = 10_000.0;
 /// Explanations that compete to be the final one.
@@ -199,13 +202,13 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         &self.support
     }
 
+    fn constraints(&self) -> usize {
+        let best = self.covers.iter().step_by(MEMBERS);
+        best.map(|cover| cover.chosen.len()).sum()
+    }
+
     fn is_explained(&self) -> bool {
-        let constraints: usize = self
-            .covers
-            .iter()
-            .step_by(MEMBERS)
-            .map(|c| c.chosen.len())
-            .sum();
+        let constraints = self.constraints();
         self.report.feasible > 0
             && constraints > 0
             && self.influence
@@ -344,7 +347,8 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
     }
 
     fn region(&self) -> Result<&Region, Error> {
-        if self.is_explained() {
+        let credible = self.report.infeasible >= CREDIBLE * self.constraints();
+        if self.is_explained() && credible {
             Ok(&self.region)
         } else {
             Err(Error::NoRegion)
