@@ -298,7 +298,7 @@
 /**
  * Bytes of a step; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_STEP_BYTES 2560
+#define CRITREG_STEP_BYTES 5376
 
 /**
  * Most parameters of an action: an array for theta of this length fits every
@@ -448,10 +448,10 @@ typedef struct critreg_report {
      */
     uint64_t infeasible;
     /**
-     * CRITREG_VERSION_SPACE: feasible samples, at most, that a constraint of the
-     * region ignores; see critreg_config.slack.
+     * CRITREG_VERSION_SPACE: samples that the region is wrong about; see
+     * critreg_config.slack.
      */
-    uint64_t ignored;
+    uint64_t strays;
     /**
      * Constraints that found no room in the region.
      */
@@ -552,10 +552,10 @@ typedef struct critreg_config {
      */
     double exploring;
     /**
-     * CRITREG_VERSION_SPACE: share of the feasible samples that a constraint may
-     * ignore if nothing explains the answers otherwise, from 0 to 0.2, for actions
-     * that sometimes work beyond a boundary. With 0 the region has all of them.
-     * Default 0.05.
+     * CRITREG_VERSION_SPACE: how far the boundary of a constraint may lie elsewhere
+     * in single instances, as a share of what its left side ranges over, from 0 to
+     * 0.2: for actions that work a little beyond a boundary or fail a little before
+     * it. With 0 the region agrees with every answer. Default 0.05.
      */
     double slack;
     /**

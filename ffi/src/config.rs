@@ -90,10 +90,10 @@ pub struct critreg_config {
     /// CRITREG_VERSION_SPACE: share of the questions that look for what nothing
     /// hints at, from 0 to 1. Default 0.1.
     pub exploring: f64,
-    /// CRITREG_VERSION_SPACE: share of the feasible samples that a constraint may
-    /// ignore if nothing explains the answers otherwise, from 0 to 0.2, for actions
-    /// that sometimes work beyond a boundary. With 0 the region has all of them.
-    /// Default 0.05.
+    /// CRITREG_VERSION_SPACE: how far the boundary of a constraint may lie elsewhere
+    /// in single instances, as a share of what its left side ranges over, from 0 to
+    /// 0.2: for actions that work a little beyond a boundary or fail a little before
+    /// it. With 0 the region agrees with every answer. Default 0.05.
     pub slack: f64,
     /// CRITREG_VERSION_SPACE: confidence of the certificate, from 0 to 0.9999.
     /// Default 0.95.

@@ -35,7 +35,7 @@ pub const CRITREG_FEATURE_BYTES: usize = 26;
 pub const CRITREG_SPAN_BYTES: usize = 16;
 
 /// Bytes of a step; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_STEP_BYTES: usize = 2_560;
+pub const CRITREG_STEP_BYTES: usize = 5_376;
 
 /// Most parameters of an action: an array for theta of this length fits every
 /// domain.

@@ -42,9 +42,9 @@ pub struct critreg_report {
     pub feasible: u64,
     /// Samples that were infeasible.
     pub infeasible: u64,
-    /// CRITREG_VERSION_SPACE: feasible samples, at most, that a constraint of the
-    /// region ignores; see critreg_config.slack.
-    pub ignored: u64,
+    /// CRITREG_VERSION_SPACE: samples that the region is wrong about; see
+    /// critreg_config.slack.
+    pub strays: u64,
     /// Constraints that found no room in the region.
     pub constraints_left_out: u64,
     /// The certificate of CRITREG_VERSION_SPACE: this many of the last samples are
@@ -74,7 +74,7 @@ const EMPTY: critreg_report = critreg_report {
     calls: 0,
     feasible: 0,
     infeasible: 0,
-    ignored: 0,
+    strays: 0,
     constraints_left_out: 0,
     certificate_draws: 0,
     certificate_feasible: 0,
@@ -129,7 +129,7 @@ impl critreg_report {
             calls: report.calls as u64,
             feasible: report.feasible as u64,
             infeasible: report.infeasible as u64,
-            ignored: report.ignored as u64,
+            strays: report.strays as u64,
             certificate_draws: report.certificate.draws.into(),
             certificate_feasible: report.certificate.feasible.into(),
             certificate_lower_bound: report.certificate.lower_bound,

@@ -90,6 +90,19 @@ pub struct Constraint {
     pub name: Option<NodeId>,
 }
 
+/// A constraint to be: its terms are not yet in a formula.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inequality {
+    /// Left side.
+    pub left: NodeId,
+    /// How the sides are compared.
+    pub comparison: Comparison,
+    /// Right side.
+    pub bound: f64,
+    /// What the right side is in terms of the domain's constants.
+    pub name: Option<NodeId>,
+}
+
 /// A step of a formula in postfix order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
@@ -162,42 +175,41 @@ impl Formula {
         &self.steps
     }
 
-    /// Adds `and left comparison bound (name)`; the ids refer to `nodes`, from
-    /// which the terms are copied.
+    /// Adds `and`, and one of these inequalities or another; their terms are copied
+    /// from `nodes`.
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`]; the formula is as it was.
-    pub fn and(
-        &mut self,
-        nodes: &[Node],
-        left: NodeId,
-        comparison: Comparison,
-        bound: f64,
-        name: Option<NodeId>,
-    ) -> Result<(), Error> {
+    pub fn and(&mut self, nodes: &[Node], any_of: &[Inequality]) -> Result<(), Error> {
         let kept = (self.nodes.len(), self.constraints.len(), self.steps.len());
-        let mut add = || {
-            let joined = !self.steps.is_empty();
+        let added = self.add(nodes, any_of);
+        if added.is_err() {
+            self.truncate(kept);
+        }
+        added
+    }
+
+    fn add(&mut self, nodes: &[Node], any_of: &[Inequality]) -> Result<(), Error> {
+        let joined = !self.steps.is_empty();
+        for (index, own) in any_of.iter().enumerate() {
             let constraint = Constraint {
-                left: copy(nodes, left, &mut self.nodes)?,
-                comparison,
-                right: intern(&mut self.nodes, Node::Number(bound))?,
-                name: match name {
+                left: copy(nodes, own.left, &mut self.nodes)?,
+                comparison: own.comparison,
+                right: intern(&mut self.nodes, Node::Number(own.bound))?,
+                name: match own.name {
                     Some(name) => Some(copy(nodes, name, &mut self.nodes)?),
                     None => None,
                 },
             };
             self.push_constraint(constraint)?;
-            if joined {
-                self.push_step(Step::And)?;
+            if index > 0 {
+                self.push_step(Step::Or)?;
             }
-            Ok(())
-        };
-        let added = add();
-        if added.is_err() {
-            self.truncate(kept);
         }
-        added
+        if joined && !any_of.is_empty() {
+            self.push_step(Step::And)?;
+        }
+        Ok(())
     }
 
     fn push_constraint(&mut self, constraint: Constraint) -> Result<(), Error> {

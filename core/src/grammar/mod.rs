@@ -11,8 +11,8 @@ mod hypotheses;
 
 pub use features::{FACTORS, Features, MAX_COMPLEXITY};
 pub use formula::{
-    Comparison, Constraint, Formula, MAX_CONSTRAINTS, MAX_FORMULA_NODES, MAX_FORMULA_STEPS, Step,
-    Truth,
+    Comparison, Constraint, Formula, Inequality, MAX_CONSTRAINTS, MAX_FORMULA_NODES,
+    MAX_FORMULA_STEPS, Step, Truth,
 };
 pub use hypotheses::{Enumeration, Hypotheses, MAX_PAIR_COMPLEXITY};
 pub(crate) use hypotheses::{Run, bit, feature_id};

@@ -49,7 +49,7 @@ use crate::domain::{
     CHECKSUM, Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene,
 };
 use crate::error::Error;
-use crate::grammar::{Features, Formula, Hypotheses};
+use crate::grammar::{Features, Formula, Hypotheses, Inequality};
 use crate::random::{Generator, below, generator, uniform_in};
 use crate::real::Real;
 use crate::region::{Region, Theta};
@@ -256,13 +256,13 @@ impl<'m, R: Real> Algorithm1<'m, R> {
             let term = nodes.get(usize::from(bound.right.0));
             let literal = matches!(term, Some(Node::Number(_)));
             let constant = domain.dependence(nodes, bound.right) == Dependence::Constant;
-            let added = formula.and(
-                nodes,
+            let inequality = Inequality {
                 left,
-                bound.comparison,
-                bound.value.to_f64(),
-                (constant && !literal).then_some(bound.right),
-            );
+                comparison: bound.comparison,
+                bound: bound.value.to_f64(),
+                name: (constant && !literal).then_some(bound.right),
+            };
+            let added = formula.and(nodes, &[inequality]);
             left_out += usize::from(added.is_err());
         }
         self.report.constraints_left_out = left_out;

@@ -34,7 +34,11 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             }
             return Ok(pending);
         }
-        self.mend(1);
+        if self.is_doubtful() {
+            self.elect(problem.domain())?;
+        } else {
+            self.mend();
+        }
         let mut rng = self.rng.clone();
         let exploring = uniform(&mut rng) < self.config.exploring;
         let mut chosen = None;

@@ -15,7 +15,7 @@ use crate::learn::Observation;
 /// | `features`, `values`, `columns` | 26 per 8 forms, and 64 more |
 /// | `instances` | 1 per form and instance, and 512 per instance |
 /// | `rows` | [`Capacity::lefts`] times 8 per observation |
-/// | `covers` | 2432 per step |
+/// | `covers` | 5120 per step |
 /// | `samples`, `observations` | 4 and 56 per observation |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capacity {
@@ -124,9 +124,10 @@ pub struct Config {
     /// Share of answers that are wrong, in `[0, 0.2]`. If it is not zero, samples
     /// are asked again until the answer is beyond doubt.
     pub noise: f64,
-    /// Share of the feasible samples that constraints may ignore if nothing
-    /// explains the answers otherwise, in `[0, 0.2]`: for actions that sometimes
-    /// work beyond a boundary. If it is zero, the region has all of them.
+    /// How far the boundary of a constraint may lie elsewhere in single instances, as
+    /// a share of what the constraint's left side ranges over, in `[0, 0.2]`: for
+    /// actions that work a little beyond a boundary or fail a little before it. If
+    /// it is zero, the region agrees with every answer.
     pub slack: f64,
     /// Confidence of the certificate, in `[0, 0.9999]`.
     pub confidence: f64,
@@ -176,8 +177,8 @@ pub struct Report {
     pub feasible: usize,
     /// Infeasible ones.
     pub infeasible: usize,
-    /// Feasible samples, at most, that a constraint of the region ignores.
-    pub ignored: usize,
+    /// Samples that the region is wrong about, see [`Config::slack`].
+    pub strays: usize,
     /// Draws from the region, and what they prove.
     pub certificate: super::Certificate,
 }

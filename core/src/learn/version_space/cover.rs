@@ -2,11 +2,15 @@
 //!
 //! Fewest is set cover, for which the greedy choice is the best known (Chvatal
 //! 1979; Haussler 1988 for conjunctions, and Marchand and Shawe-Taylor's set
-//! covering machine). Simple forms are preferred to slightly better ones, and
-//! chance tells the members of a committee apart.
+//! covering machine). Which of several explanations is best is a matter of length:
+//! that of its constraints and of what strays from them, in bits (minimum
+//! description length, Rissanen 1978).
 
-use super::forms::{Forms, MAX_WORDS, Set, Side};
+use super::bound::Bound;
+use super::clause::best_clause;
+use super::forms::{Forms, MAX_WORDS, Set, Side, tolerance};
 use super::greedy::{Taste, best_side};
+use super::set::{count, insert, intersect, is_empty, members, remove};
 use crate::random::Generator;
 use crate::real::Real;
 use heapless::Vec;
@@ -18,69 +22,97 @@ pub(super) const MAX_STEPS: usize = 4;
 pub(super) const MAX_COVER: usize = 6;
 /// Explanations of one step that vote.
 pub(super) const MEMBERS: usize = 8;
-/// What a right side costs, in constraints: two constraints without one are simpler
-/// than one that compares two distances.
-const PRICE: [f64; 4] = [0.0, 0.5, 1.1, 1.2];
-/// How close to a bound an infeasible sample needs no explanation, as a share of
-/// what the form ranges over.
-const SOFT: f64 = 0.05;
-/// As that, per feasible sample that is ignored.
-pub(super) const PRICE_OF_IGNORING: f64 = 0.06;
+/// Share of what a form excludes that its replacement excludes at least.
+const MOST: f64 = 0.6;
+/// By how many bits an explanation must be shorter to replace another.
+const SHORTER: f64 = 1e-6;
 
-/// A form with its bounds, outwards: feasible up to `inner`, infeasible from
-/// `outer`.
+/// A constraint: a bound, or one of two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Chosen<R> {
-    pub(super) side: Side,
-    pub(super) inner: R,
-    pub(super) outer: R,
+    pub(super) bound: Bound<R>,
+    /// Holds where the first does not.
+    pub(super) or: Option<Bound<R>>,
     /// How many infeasible samples it excludes.
     pub(super) support: u32,
-    /// How many feasible samples lie beyond the outer bound.
-    pub(super) ignored: u32,
-    /// How far the form ranges over the samples.
-    pub(super) range: R,
 }
 
 impl<R: Real> Chosen<R> {
-    /// What it costs: being one, its right side, and the feasible samples that it
-    /// ignores.
-    pub(super) fn price(&self) -> f64 {
-        1.0 + at_level(PRICE, self.side.level) + PRICE_OF_IGNORING * f64::from(self.ignored)
+    pub(super) fn new(bound: Bound<R>) -> Self {
+        Chosen {
+            bound,
+            or: None,
+            support: 0,
+        }
     }
 
-    /// Finds the inner bound below the outer one, and moves both where samples just
-    /// inside are excused: to where fewest samples are on the wrong side.
-    fn settle(&mut self, forms: &Forms<'_, R>, step: usize) {
-        (self.inner, self.ignored) = last_inside(forms, &self.side, step, self.outer);
-        let excused = forms.excused(step);
-        if is_empty(&excused) {
-            return;
+    pub(super) fn bounds(&self) -> impl Iterator<Item = &Bound<R>> {
+        core::iter::once(&self.bound).chain(&self.or)
+    }
+
+    /// The length of its description in bits, after that of `others`.
+    pub(super) fn bits(&self, forms: &Forms<'_, R>, others: &[Chosen<R>]) -> f64 {
+        let named = |side: &Side| {
+            let mut known = others.iter().flat_map(Chosen::bounds);
+            known.any(|other| other.side.form == side.form)
+        };
+        let bits = self
+            .bounds()
+            .map(|b| b.strain + forms.bits(&b.side, named(&b.side)));
+        bits.sum()
+    }
+
+    /// The infeasible samples that it excludes whichever threshold is true.
+    pub(super) fn excluded(&self, forms: &Forms<'_, R>, step: usize) -> Set {
+        let Some(or) = &self.or else {
+            return forms.excluded(&self.bound.side);
+        };
+        let mut set = [0; MAX_WORDS];
+        let beyond = |bound: &Bound<R>, sample: usize| {
+            let value = forms.value_at(&bound.side, sample);
+            value > bound.inner + tolerance(value)
+        };
+        for sample in members(&forms.infeasible(step)) {
+            if beyond(&self.bound, sample) && beyond(or, sample) {
+                insert(&mut set, sample);
+            }
         }
-        let zone = self.inner - self.range * R::from_f64(SOFT);
-        let (end, form) = (self.outer, self.side);
-        let values = || members(&excused).map(|sample| forms.value_at(&form, sample));
-        let inside = |outer: R| values().filter(|v| zone < *v && *v < outer).count() as u32;
-        let mut least = self.ignored + inside(end);
-        for outer in values().filter(|v| zone < *v && *v < end) {
-            let (inner, ignored) = last_inside(forms, &form, step, outer);
-            let wrong = ignored + inside(outer);
-            if wrong < least || (wrong == least && outer < self.outer) {
-                least = wrong;
-                (self.inner, self.outer, self.ignored) = (inner, outer, ignored);
+        set
+    }
+
+    /// Takes the feasible samples in.
+    fn widen(&mut self, forms: &Forms<'_, R>, step: usize) {
+        let Some(or) = &mut self.or else {
+            self.bound.inner = forms.last_feasible(&self.bound.side, step);
+            return;
+        };
+        let feasible = forms.feasible(step);
+        (self.bound.inner, or.inner) = (-R::INFINITY, -R::INFINITY);
+        for sample in members(&feasible) {
+            let value = forms.value_at(&self.bound.side, sample);
+            if value < self.bound.outer {
+                self.bound.inner = self.bound.inner.max(value);
+            } else {
+                or.inner = or.inner.max(forms.value_at(&or.side, sample));
             }
         }
     }
 
-    /// A position between the two bounds: zero at the inner, one at the outer.
-    pub(super) fn position(&self, value: R) -> R {
-        if value <= self.inner {
-            return R::ZERO;
+    /// Puts its bounds between the feasible samples and those that it must exclude.
+    fn fit(&self, forms: &Forms<'_, R>, step: usize, own: &Set, slack: f64) -> Option<Self> {
+        let mut fitted = *self;
+        let range = range(forms, &self.bound.side, step);
+        if let Some(or) = &mut fitted.or {
+            let first = |side: &Side| first_of(forms, side, own);
+            fitted.bound.range = range;
+            fitted.bound.outer = first(&self.bound.side);
+            or.range = self::range(forms, &or.side, step);
+            or.outer = first(&or.side);
+            return Some(fitted);
         }
-        if !self.outer.is_finite() {
-            return R::ONE;
-        }
-        (value - self.inner) / (self.outer - self.inner)
+        let feasible = forms.feasible(step);
+        fitted.bound = Bound::between(forms, self.bound.side, &feasible, own, range, slack)?;
+        Some(fitted)
     }
 }
 
@@ -103,261 +135,303 @@ impl<R> Default for Cover<R> {
 }
 
 impl<R: Real> Cover<R> {
-    /// Whether it still explains everything.
-    pub(super) fn holds(&self, forms: &Forms<'_, R>, wanted: &Set) -> bool {
-        let mut left = *wanted;
-        for chosen in &self.chosen {
-            remove(&mut left, &forms.excluded(&chosen.side));
-        }
-        is_empty(&left)
-    }
-
-    /// A cover by greedy choice.
+    /// A cover by greedy choice. What no bound excludes is left to constraints with
+    /// two.
     pub(super) fn greedy(
         forms: &Forms<'_, R>,
         step: usize,
         taste: Taste,
+        slack: f64,
         rng: &mut Generator,
     ) -> Cover<R> {
-        let wanted = forms.infeasible(step);
-        let mut left = wanted;
-        let mut cover = Cover {
-            chosen: Vec::new(),
-            complete: false,
-        };
-        while !is_empty(&left) && !cover.chosen.is_full() {
-            let Some(side) = best_side(forms, &left, step, taste, rng.next_u32()) else {
-                break;
-            };
-            remove(&mut left, &forms.excluded(&side));
-            let _ = cover.chosen.push(Chosen {
-                side,
-                inner: R::ZERO,
-                outer: R::ZERO,
-                support: 0,
-                ignored: 0,
-                range: R::ZERO,
-            });
-        }
-        cover.complete = is_empty(&left);
-        cover.drop_redundant(forms, &wanted);
-        cover.measure(forms, step);
+        let mut cover = Cover::default();
+        cover.extend(forms, step, taste, slack, rng);
         cover
     }
 
-    fn drop_redundant(&mut self, forms: &Forms<'_, R>, wanted: &Set) {
-        if !self.complete {
-            return;
+    /// Adds constraints until everything is excluded.
+    pub(super) fn extend(
+        &mut self,
+        forms: &Forms<'_, R>,
+        step: usize,
+        taste: Taste,
+        slack: f64,
+        rng: &mut Generator,
+    ) {
+        let mut left = forms.infeasible(step);
+        for chosen in &self.chosen {
+            remove(&mut left, &chosen.excluded(forms, step));
         }
-        for index in 0..self.chosen.len() {
-            let mut left = *wanted;
-            for (other, chosen) in self.chosen.iter().enumerate() {
-                if other != index {
-                    remove(&mut left, &forms.excluded(&chosen.side));
-                }
-            }
-            if is_empty(&left) {
-                let mut at = 0;
-                self.chosen.retain(|_| {
-                    at += 1;
-                    at - 1 != index
-                });
-                return self.drop_redundant(forms, wanted);
+        while !is_empty(&left) && !self.chosen.is_full() {
+            let side = best_side(forms, &left, step, taste, rng.next_u32());
+            let simple = side.map(|side| Chosen::new(Bound::inside(forms, side, step)));
+            let Some(chosen) = simple.or_else(|| best_clause(forms, &left, step)) else {
+                break;
+            };
+            remove(&mut left, &chosen.excluded(forms, step));
+            let _ = self.chosen.push(chosen);
+        }
+        self.drop_redundant(forms, step);
+        self.measure(forms, step, slack);
+    }
+
+    fn drop_redundant(&mut self, forms: &Forms<'_, R>, step: usize) {
+        let all = self.excluded(forms, step);
+        for index in (0..self.chosen.len()).rev() {
+            let chosen = self.chosen.remove(index);
+            if self.excluded(forms, step) != all {
+                let _ = self.chosen.insert(index, chosen);
             }
         }
     }
 
-    /// The infeasible samples that more than one form excludes.
-    fn shared(&self, forms: &Forms<'_, R>) -> Set {
+    /// What its constraints exclude whichever thresholds are true.
+    fn excluded(&self, forms: &Forms<'_, R>, step: usize) -> Set {
+        let mut set = [0; MAX_WORDS];
+        for chosen in &self.chosen {
+            let own = chosen.excluded(forms, step);
+            set.iter_mut().zip(own).for_each(|(word, own)| *word |= own);
+        }
+        intersect(&mut set, &forms.infeasible(step));
+        set
+    }
+
+    /// The infeasible samples that more than one constraint excludes.
+    fn shared(&self, forms: &Forms<'_, R>, step: usize) -> Set {
         let (mut once, mut twice): (Set, Set) = ([0; MAX_WORDS], [0; MAX_WORDS]);
         for chosen in &self.chosen {
-            let own = forms.excluded(&chosen.side);
+            let own = chosen.excluded(forms, step);
             for ((own, once), twice) in own.iter().zip(&mut once).zip(&mut twice) {
                 *twice |= *once & own;
                 *once |= own;
             }
         }
+        intersect(&mut twice, &forms.infeasible(step));
         twice
     }
 
-    /// The infeasible samples of a step that only this form excludes.
-    fn alone(&self, forms: &Forms<'_, R>, step: usize, side: &Side) -> Set {
-        let mut alone = forms.excluded(side);
+    /// The infeasible samples that only this constraint can exclude: those that only
+    /// it does, and those that none does but that are nearest to it.
+    fn alone(&self, forms: &Forms<'_, R>, step: usize, index: usize) -> Set {
+        let Some(chosen) = self.chosen.get(index) else {
+            return [0; MAX_WORDS];
+        };
+        let mut alone = chosen.excluded(forms, step);
         intersect(&mut alone, &forms.infeasible(step));
-        remove(&mut alone, &self.shared(forms));
+        remove(&mut alone, &self.shared(forms, step));
+        let mut open = forms.infeasible(step);
+        remove(&mut open, &self.excluded(forms, step));
+        for sample in members(&open) {
+            if self.nearest(forms, sample) == Some(index) {
+                insert(&mut alone, sample);
+            }
+        }
         alone
     }
 
-    /// Infeasible samples so few and so close to the bounds of other constraints
-    /// that a constraint of their own is not worth it.
-    pub(super) fn excusable(&self, forms: &Forms<'_, R>, step: usize, most: usize) -> Option<Set> {
-        let sets = self
+    /// The constraint that comes nearest to excluding a sample.
+    fn nearest(&self, forms: &Forms<'_, R>, sample: usize) -> Option<usize> {
+        let simple = self
             .chosen
             .iter()
-            .map(|c| (c, self.alone(forms, step, &c.side)));
-        let mut few = sets.filter(|(_, set)| (1..=most).contains(&members(set).count()));
-        few.find_map(|(chosen, set)| {
-            let near = |sample: usize| {
-                let mut others = self.chosen.iter().filter(|c| c.side != chosen.side);
-                others.any(|c| {
-                    let inside = c.inner - forms.value_at(&c.side, sample);
-                    inside <= c.range * R::from_f64(SOFT)
-                })
-            };
-            members(&set).all(near).then_some(set)
-        })
+            .enumerate()
+            .filter(|(_, c)| c.or.is_none());
+        let depths = simple.map(|(index, chosen)| {
+            let bound = &chosen.bound;
+            let value = forms.value_at(&bound.side, sample);
+            ((value - bound.inner) / bound.range, index)
+        });
+        let finite = depths.filter(|(depth, _)| depth.is_finite());
+        let best = finite.reduce(|best, next| if next.0 > best.0 { next } else { best });
+        best.map(|(_, index)| index)
     }
 
-    /// Replaces forms by better ones that exclude the same, as `price` says.
-    pub(super) fn improve(
-        &mut self,
-        forms: &Forms<'_, R>,
-        step: usize,
-        price: impl Fn(&Chosen<R>) -> f64,
-    ) {
-        for index in 0..self.chosen.len() {
-            let Some(old) = self.chosen.get(index).copied() else {
-                return;
-            };
-            let alone = self.alone(forms, step, &old.side);
-            let needed = members(&alone).count();
-            let (mut best, mut least) = (old, price(&old));
-            forms.for_each_count(&alone, |side, count| {
-                if (count as usize) < needed {
-                    return;
-                }
-                let mut new = Chosen { side, ..old };
-                new.outer = first_outside(forms, &side, &alone);
-                (new.inner, new.ignored) = last_inside(forms, &side, step, new.outer);
-                new.range = range(forms, &side, step);
-                let cost = price(&new);
-                if cost < least - 1e-9 {
-                    (best, least) = (new, cost);
-                }
-            });
-            if let Some(slot) = self.chosen.get_mut(index) {
-                *slot = best;
-            }
-        }
-        self.measure(forms, step);
-    }
-
-    /// Brings the bounds up to date. The outer one is at the first infeasible
-    /// sample that no other form excludes.
-    pub(super) fn measure(&mut self, forms: &Forms<'_, R>, step: usize) {
-        let wanted = forms.infeasible(step);
-        let twice = self.shared(forms);
+    /// Brings the bounds up to date and finds out whether it still explains
+    /// everything. The outer end of a bound is at the first infeasible sample that
+    /// no other constraint excludes.
+    pub(super) fn measure(&mut self, forms: &Forms<'_, R>, step: usize, slack: f64) {
         for chosen in &mut self.chosen {
-            let mut own = forms.excluded(&chosen.side);
-            intersect(&mut own, &wanted);
-            let mut alone = own;
-            remove(&mut alone, &twice);
-            chosen.support = members(&own).count() as u32;
-            chosen.outer = first_outside(forms, &chosen.side, &alone);
-            chosen.range = range(forms, &chosen.side, step);
-            chosen.settle(forms, step);
+            chosen.widen(forms, step);
+            chosen.bound.range = range(forms, &chosen.bound.side, step);
         }
-        let mut shared = wanted;
-        intersect(&mut shared, &twice);
+        let mut open = forms.infeasible(step);
+        remove(&mut open, &self.excluded(forms, step));
+        self.complete = members(&open).all(|sample| self.nearest(forms, sample).is_some());
+        let mut fitted: Vec<Chosen<R>, MAX_COVER> = Vec::new();
+        for (index, chosen) in self.chosen.iter().enumerate() {
+            let alone = self.alone(forms, step, index);
+            let fit = chosen.fit(forms, step, &alone, slack);
+            self.complete &= fit.is_some();
+            let mut new = fit.unwrap_or(*chosen);
+            let mut support = chosen.excluded(forms, step);
+            intersect(&mut support, &forms.infeasible(step));
+            new.support = count(&support) as u32;
+            let _ = fitted.push(new);
+        }
+        let shared = self.shared(forms, step);
+        self.chosen = fitted;
         for sample in members(&shared) {
-            self.own(forms, step, sample);
+            self.own(forms, sample);
         }
     }
 
-    /// Makes sure that one form excludes a sample for every threshold between its
-    /// bounds: that for which it lies farthest out.
-    fn own(&mut self, forms: &Forms<'_, R>, step: usize, sample: usize) {
+    /// Makes sure that one constraint excludes a sample for every threshold between
+    /// its bounds: that for which it lies farthest out.
+    fn own(&mut self, forms: &Forms<'_, R>, sample: usize) {
         let mut farthest: Option<(R, &mut Chosen<R>)> = None;
         for chosen in &mut self.chosen {
-            let value = forms.value_at(&chosen.side, sample);
-            if value >= chosen.outer {
+            let mut depth = R::INFINITY;
+            let mut outside = true;
+            for bound in chosen.bounds() {
+                let value = forms.value_at(&bound.side, sample);
+                outside &= value >= bound.outer;
+                depth = depth.min((value - bound.inner) / bound.range);
+            }
+            if outside {
                 return;
             }
-            let depth = (value - chosen.inner) / chosen.range;
             if farthest.as_ref().is_none_or(|(most, _)| depth > *most) {
                 farthest = Some((depth, chosen));
             }
         }
-        if let Some((_, chosen)) = farthest {
-            chosen.outer = forms.value_at(&chosen.side, sample);
-            chosen.settle(forms, step);
+        let Some((_, chosen)) = farthest else { return };
+        for bound in core::iter::once(&mut chosen.bound).chain(&mut chosen.or) {
+            bound.outer = bound.outer.min(forms.value_at(&bound.side, sample));
         }
     }
 
-    /// How complicated it is.
-    pub(super) fn price(&self) -> f64 {
-        self.chosen.iter().map(Chosen::price).sum()
+    /// Looks for a shorter explanation nearby: replaces constraints by better ones,
+    /// and leaves out those that others nearly make superfluous. `details` is the
+    /// length of a constraint beyond [`Chosen::bits`].
+    pub(super) fn refine(
+        &mut self,
+        forms: &Forms<'_, R>,
+        step: usize,
+        slack: f64,
+        details: impl Fn(&Chosen<R>) -> f64,
+    ) {
+        for _ in 0..MAX_COVER {
+            let improved = self.improve(forms, step, slack, &details);
+            let shortened = self.shorten(forms, step, slack, &details);
+            if !improved && !shortened {
+                return;
+            }
+        }
+    }
+
+    fn improve(
+        &mut self,
+        forms: &Forms<'_, R>,
+        step: usize,
+        slack: f64,
+        details: impl Fn(&Chosen<R>) -> f64,
+    ) -> bool {
+        let mut improved = false;
+        for index in 0..self.chosen.len() {
+            let alone = self.alone(forms, step, index);
+            let mut others = self.chosen.clone();
+            let old = others.remove(index);
+            let needed = (MOST * count(&alone) as f64) as u32;
+            let (mut best, mut least) = (old, old.bits(forms, &others) + details(&old) - SHORTER);
+            forms.for_each_count(&alone, |side, count| {
+                let mut new = Chosen::new(Bound::inside(forms, side, step));
+                if count < needed || new.bits(forms, &others) >= least {
+                    return;
+                }
+                if let Some(fitted) = new.fit(forms, step, &alone, slack) {
+                    new = fitted;
+                    let mut bits = new.bits(forms, &others);
+                    if bits < least {
+                        bits += details(&new);
+                    }
+                    if bits < least {
+                        (best, least) = (new, bits);
+                    }
+                }
+            });
+            if best != old
+                && let Some(slot) = self.chosen.get_mut(index)
+            {
+                improved = true;
+                *slot = best;
+            }
+        }
+        if improved {
+            self.measure(forms, step, slack);
+        }
+        improved
+    }
+
+    fn shorten(
+        &mut self,
+        forms: &Forms<'_, R>,
+        step: usize,
+        slack: f64,
+        details: impl Fn(&Chosen<R>) -> f64,
+    ) -> bool {
+        let length =
+            |cover: &Self| cover.bits(forms) + cover.chosen.iter().map(&details).sum::<f64>();
+        let mut shortened = false;
+        for index in (0..self.chosen.len()).rev() {
+            let mut other = self.clone();
+            other.chosen.remove(index);
+            other.measure(forms, step, slack);
+            if other.complete && length(&other) < length(self) - SHORTER {
+                *self = other;
+                shortened = true;
+            }
+        }
+        shortened
+    }
+
+    /// The length of its description in bits.
+    pub(super) fn bits(&self, forms: &Forms<'_, R>) -> f64 {
+        let lengths = self.chosen.iter().enumerate().map(|(index, chosen)| {
+            let before = self.chosen.get(..index).unwrap_or(&[]);
+            chosen.bits(forms, before)
+        });
+        lengths.sum()
+    }
+
+    /// How many samples it is wrong about.
+    pub(super) fn strays(&self, forms: &Forms<'_, R>, step: usize) -> usize {
+        let holds =
+            |bound: &Bound<R>, sample: usize| forms.value_at(&bound.side, sample) <= bound.middle();
+        let admits = |sample: &usize| {
+            let mut constraints = self.chosen.iter();
+            constraints.all(|c| c.bounds().any(|b| holds(b, *sample)))
+        };
+        let admitted = members(&forms.infeasible(step)).filter(admits).count();
+        let refused = members(&forms.feasible(step))
+            .filter(|s| !admits(s))
+            .count();
+        admitted + refused
     }
 
     /// The width of all gaps together.
     pub(super) fn looseness(&self) -> R {
-        let gaps = self.chosen.iter().map(|c| c.outer - c.inner);
-        gaps.fold(R::ZERO, |sum, gap| sum + gap)
+        let bounds = self.chosen.iter().flat_map(Chosen::bounds);
+        bounds.fold(R::ZERO, |sum, bound| sum + (bound.outer - bound.inner))
     }
 }
 
-pub(super) fn at_level(list: [f64; 4], level: u8) -> f64 {
-    list.get(usize::from(level)).copied().unwrap_or(0.0)
-}
-
-pub(super) fn first_outside<R: Real>(forms: &Forms<'_, R>, side: &Side, set: &Set) -> R {
+/// The least value of a form in a set.
+pub(super) fn first_of<R: Real>(forms: &Forms<'_, R>, side: &Side, set: &Set) -> R {
     let values = members(set).map(|negative| forms.value_at(side, negative));
-    values.fold(R::INFINITY, |least, value| least.min(value))
+    values.fold(R::INFINITY, R::min)
 }
 
-/// The largest value at a feasible sample below `outer`, and how many such samples
-/// are not below it.
-pub(super) fn last_inside<R: Real>(
-    forms: &Forms<'_, R>,
-    side: &Side,
-    step: usize,
-    outer: R,
-) -> (R, u32) {
-    let feasible = forms.feasible(step);
-    let values = members(&feasible).map(|sample| forms.value_at(side, sample));
-    values.fold((-R::INFINITY, 0), |(inner, ignored), value| {
-        if value < outer {
-            (inner.max(value), ignored)
-        } else {
-            (inner, ignored + 1)
-        }
-    })
-}
-
-fn range<R: Real>(forms: &Forms<'_, R>, side: &Side, step: usize) -> R {
+/// How far a form ranges over the samples of a step.
+pub(super) fn range<R: Real>(forms: &Forms<'_, R>, side: &Side, step: usize) -> R {
     let (feasible, infeasible) = (forms.feasible(step), forms.infeasible(step));
     let samples = members(&feasible).chain(members(&infeasible));
     let ends = samples.fold((R::INFINITY, -R::INFINITY), |(low, high), sample| {
         let value = forms.value_at(side, sample);
-        (low.min(value), high.max(value))
+        if value.is_finite() {
+            (low.min(value), high.max(value))
+        } else {
+            (low, high)
+        }
     });
     ends.1 - ends.0
-}
-
-pub(super) fn is_empty(set: &Set) -> bool {
-    set.iter().all(|word| *word == 0)
-}
-
-pub(super) fn remove(from: &mut Set, what: &Set) {
-    for (word, other) in from.iter_mut().zip(what) {
-        *word &= !other;
-    }
-}
-
-pub(super) fn intersect(set: &mut Set, with: &Set) {
-    for (word, other) in set.iter_mut().zip(with) {
-        *word &= other;
-    }
-}
-
-/// The members of a set, ascending.
-pub(super) fn members(set: &Set) -> impl Iterator<Item = usize> + '_ {
-    set.iter().enumerate().flat_map(|(index, word)| {
-        let mut left = *word;
-        core::iter::from_fn(move || {
-            let next = left.trailing_zeros();
-            left &= left.wrapping_sub(1);
-            (next < u64::BITS).then_some(64 * index + next as usize)
-        })
-    })
 }

@@ -1,9 +1,9 @@
 //! Keeping the explanations up to date, and electing the best.
 
-use super::cover::{Cover, MEMBERS, members};
+use super::cover::{Cover, MEMBERS};
 use super::explain;
-use super::forms::MAX_TRIM;
 use super::greedy::Taste;
+use super::set::count;
 use super::{CANDIDATES, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
@@ -11,95 +11,96 @@ use crate::grammar::Formula;
 use crate::real::Real;
 use crate::region::Region;
 
+/// By how many bits the answers must be longer than their explanation: one of
+/// 2^SIGNIFICANCE times that answers by chance seem to be explained.
+const SIGNIFICANCE: f64 = 10.0;
+/// By how many bits the best explanations may grow before they are doubted.
+const GROWTH: f64 = 3.0;
+/// An election needs one new sample for so many old ones: where nothing explains the
+/// answers for long, elections would follow each other.
+const PATIENCE: usize = 16;
+
 impl<R: Real> VersionSpace<'_, R> {
-    /// Replaces the explanations that no longer hold, from some member on.
-    pub(super) fn mend(&mut self, from: usize) {
+    /// Replaces the explanations that no longer hold, except for the best ones. These
+    /// must agree with every answer: they are there to doubt, and one that could
+    /// bend to an answer would ask for it again.
+    pub(super) fn mend(&mut self) {
         for (step, covers) in self.covers.chunks_mut(MEMBERS).enumerate() {
-            let wanted = self.forms.infeasible(step);
-            for (member, cover) in covers.iter_mut().enumerate().skip(from) {
-                if cover.holds(&self.forms, &wanted) {
-                    cover.measure(&self.forms, step);
-                } else {
+            for (member, cover) in covers.iter_mut().enumerate().skip(1) {
+                cover.measure(&self.forms, step, 0.0);
+                if !cover.complete {
                     let taste = Taste::of_member(member);
-                    *cover = Cover::greedy(&self.forms, step, taste, &mut self.rng);
+                    *cover = Cover::greedy(&self.forms, step, taste, 0.0, &mut self.rng);
                 }
             }
         }
     }
 
-    /// Brings the best explanation of each step up to date, the simplest of all
+    /// Brings the best explanation of each step up to date, the shortest of all
     /// that are known.
     pub(super) fn mend_best(&mut self) {
-        self.trim();
+        let slack = self.config.slack;
         for (step, covers) in self.covers.chunks_mut(MEMBERS).enumerate() {
-            let wanted = self.forms.infeasible(step);
             let Some((best, others)) = covers.split_first_mut() else {
                 continue;
             };
-            if best.complete && best.holds(&self.forms, &wanted) {
-                best.measure(&self.forms, step);
+            best.measure(&self.forms, step, slack);
+            if best.complete {
                 continue;
             }
             self.elected = false;
-            *best = Cover::greedy(&self.forms, step, Taste::SOBER, &mut self.rng);
+            *best = Cover::greedy(&self.forms, step, Taste::SOBER, slack, &mut self.rng);
             for other in others {
-                if other.holds(&self.forms, &wanted) {
-                    other.measure(&self.forms, step);
-                    let cheaper = other.price() < best.price() - 1e-9;
-                    if cheaper && (other.complete || !best.complete) {
-                        core::mem::swap(best, other);
-                    }
+                other.measure(&self.forms, step, 0.0);
+                let shorter = other.bits(&self.forms) < best.bits(&self.forms);
+                if other.complete && (shorter || !best.complete) {
+                    core::mem::swap(best, other);
                 }
             }
         }
     }
 
-    /// Excuses infeasible samples just inside of a bound, rather than making a
-    /// constraint for them.
-    pub(super) fn excuse(&mut self) {
-        for step in 0..self.capacity.steps {
-            let all = members(&self.forms.feasible(step)).count() + self.report.infeasible;
-            let excused = members(&self.forms.excused(step)).count();
-            let most = ((self.config.slack * all as f64) as usize).saturating_sub(excused);
-            let best = self.covers.get_mut(step * MEMBERS);
-            let Some(best) = best.filter(|best| best.complete) else {
-                continue;
-            };
-            if let Some(set) = best.excusable(&self.forms, step, most) {
-                self.forms.excuse(step, &set);
-                *best = Cover::greedy(&self.forms, step, Taste::SOBER, &mut self.rng);
-            }
-        }
+    /// Whether the best explanations became so long that there may be shorter ones.
+    pub(super) fn is_doubtful(&self) -> bool {
+        let new = self.forms.samples() - self.electors;
+        self.bits() > self.standing + GROWTH && new > self.electors / PATIENCE
     }
 
-    /// Lets constraints ignore more samples as there are more.
-    pub(super) fn trim(&mut self) {
-        for step in 0..self.capacity.steps {
-            let feasible = members(&self.forms.feasible(step)).count();
-            let trim = ((self.config.slack * feasible as f64) as usize).min(MAX_TRIM);
-            if trim != self.forms.trim(step) {
-                self.forms.set_trim(step, trim);
-                let worth = self.covers.get_mut(step * MEMBERS);
-                worth.into_iter().for_each(|best| best.complete = false);
-            }
-        }
+    /// The length of the best explanations in bits.
+    fn bits(&self) -> f64 {
+        let best = self.covers.iter().step_by(MEMBERS);
+        best.map(|cover| cover.bits(&self.forms)).sum()
+    }
+
+    /// Whether the best explanations are so much shorter than the answers that they
+    /// are no accident: answers by chance have no short explanation, except for one
+    /// of 2^[`SIGNIFICANCE`] (minimum description length, Rissanen 1978).
+    pub(super) fn is_significant(&self) -> bool {
+        let steps = 0..self.capacity.steps;
+        let answers = steps.map(|step| {
+            let feasible = count(&self.forms.feasible(step)) as f64;
+            let infeasible = count(&self.forms.infeasible(step)) as f64;
+            let bits = |own: f64| own * libm::log2((feasible + infeasible) / own.max(1.0));
+            bits(feasible) + bits(infeasible)
+        });
+        answers.sum::<f64>() >= self.bits() + SIGNIFICANCE
     }
 
     /// Looks for still better explanations and makes the region of them.
     pub(super) fn elect(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
-        self.elected = true;
-        self.mend(1);
-        self.excuse();
+        self.mend();
+        let slack = self.config.slack;
         for (step, covers) in self.covers.chunks_mut(MEMBERS).enumerate() {
             let Some((best, others)) = covers.split_first_mut() else {
                 continue;
             };
             let forms = &self.forms;
-            let price = |chosen: &_| explain::price(domain, forms, chosen);
+            let details = |chosen: &_| explain::details(domain, forms, chosen);
             let rate = |cover: &mut Cover<R>| {
-                cover.improve(forms, step, price);
-                let all: f64 = cover.chosen.iter().map(price).sum();
-                (!cover.complete, all, cover.looseness().to_f64())
+                cover.refine(forms, step, slack, details);
+                let details: f64 = cover.chosen.iter().map(details).sum();
+                let bits = cover.bits(forms) + details;
+                (!cover.complete, bits, cover.looseness().to_f64())
             };
             let mut standing = rate(best);
             for member in 0..CANDIDATES {
@@ -107,7 +108,7 @@ impl<R: Real> VersionSpace<'_, R> {
                     Some(known) => known.clone(),
                     None => {
                         let taste = Taste::of_member(member);
-                        Cover::greedy(forms, step, taste, &mut self.rng)
+                        Cover::greedy(forms, step, taste, 0.0, &mut self.rng)
                     }
                 };
                 let rating = rate(&mut other);
@@ -116,6 +117,8 @@ impl<R: Real> VersionSpace<'_, R> {
                 }
             }
         }
+        (self.elected, self.standing) = (true, self.bits());
+        self.electors = self.forms.samples();
         self.rebuild_region(domain)
     }
 
@@ -126,8 +129,9 @@ impl<R: Real> VersionSpace<'_, R> {
             let (forms, support) = (&self.forms, &mut self.support);
             explain::add_constraints(domain, forms, cover, step, &mut formula, support)?;
         }
-        let best = self.covers.iter().step_by(MEMBERS).flat_map(|c| &c.chosen);
-        self.report.ignored = best.map(|c| c.ignored as usize).max().unwrap_or(0);
+        let best = self.covers.iter().step_by(MEMBERS).enumerate();
+        let strays = best.map(|(step, cover)| cover.strays(&self.forms, step));
+        self.report.strays = strays.sum();
         self.region = Region::new(domain, formula);
         Ok(())
     }

@@ -1,26 +1,25 @@
 //! The region that an explanation stands for.
 
+use super::bound::Bound;
 use super::config::Evidence;
 use super::cover::{Chosen, Cover};
 use super::forms::{Forms, tolerance};
 use super::name::{Name, Named, Scaled, simplest};
 use crate::domain::{Domain, Node, NodeId, copy, intern};
 use crate::error::Error;
-use crate::grammar::{Comparison, Formula, MAX_COMPLEXITY, MAX_CONSTRAINTS};
+use crate::grammar::{Comparison, Formula, Inequality, MAX_COMPLEXITY, MAX_CONSTRAINTS};
 use crate::real::Real;
 use heapless::{Vec, VecView};
 
-/// Where in the gap between its bounds an unnamed threshold is put.
-const SHARE: f64 = 0.4;
-/// How close the bounds of a constraint must be for its name to count, as a share
-/// of what the form ranges over.
+/// How close the ends of a bound must be for its name to count, as a share of what
+/// the form ranges over.
 const CLOSE: f64 = 0.01;
-/// What a threshold costs, per complexity of its name.
-const PRICE_OF_NAMES: f64 = 0.03;
-/// What it costs to measure from an object that has key points.
-const PRICE_OF_CORNERS: f64 = 0.04;
+/// What a threshold costs in bits, per complexity of its name.
+const PRICE_OF_NAMES: f64 = 0.42;
+/// What it costs in bits to measure from an object that has key points.
+const PRICE_OF_CORNERS: f64 = 0.56;
 /// Terms of one constraint.
-const TERMS: usize = 24;
+const TERMS: usize = 40;
 
 /// What supports the constraints of a region, in their order.
 pub(super) type Support = Vec<Evidence, MAX_CONSTRAINTS>;
@@ -36,35 +35,52 @@ pub(super) fn add_constraints<R: Real>(
 ) -> Result<(), Error> {
     for chosen in &cover.chosen {
         let mut nodes: Vec<Node, TERMS> = Vec::new();
-        let left = left_side(forms, chosen, &mut nodes)?;
-        let (bound, named) = threshold(domain, forms, chosen);
-        let name = match named {
-            Some(named) => Some(term(&named.name, &mut nodes)?),
-            None => None,
-        };
-        let comparison = if chosen.side.upper {
-            Comparison::LessEqual
-        } else {
-            Comparison::GreaterEqual
-        };
-        formula.and(&nodes, left, comparison, bound, name)?;
-        let own = |value: R| chosen.side.outward(value).to_f64();
-        let _ = support.push(Evidence {
-            step: step as u32 + 1,
-            feasible: own(chosen.inner),
-            infeasible: own(chosen.outer),
-            support: chosen.support,
-        });
+        let mut any_of: Vec<Inequality, 2> = Vec::new();
+        for bound in chosen.bounds() {
+            let _ = any_of.push(inequality(domain, forms, bound, &mut nodes)?);
+            let own = |value: R| bound.side.outward(value).to_f64();
+            let _ = support.push(Evidence {
+                step: step as u32 + 1,
+                feasible: own(bound.inner),
+                infeasible: own(bound.outer),
+                support: chosen.support,
+            });
+        }
+        formula.and(&nodes, &any_of)?;
     }
     Ok(())
 }
 
+fn inequality<R: Real>(
+    domain: &Domain<'_>,
+    forms: &Forms<'_, R>,
+    bound: &Bound<R>,
+    nodes: &mut VecView<Node>,
+) -> Result<Inequality, Error> {
+    let left = left_side(forms, bound, nodes)?;
+    let (value, named) = threshold(domain, forms, bound);
+    let name = match named {
+        Some(named) => Some(term(&named.name, nodes)?),
+        None => None,
+    };
+    Ok(Inequality {
+        left,
+        comparison: if bound.side.upper {
+            Comparison::LessEqual
+        } else {
+            Comparison::GreaterEqual
+        },
+        bound: value,
+        name,
+    })
+}
+
 fn left_side<R: Real>(
     forms: &Forms<'_, R>,
-    chosen: &Chosen<R>,
+    bound: &Bound<R>,
     nodes: &mut VecView<Node>,
 ) -> Result<NodeId, Error> {
-    let (left, right) = forms.terms(&chosen.side);
+    let (left, right) = forms.terms(&bound.side);
     let known = forms.features().nodes();
     let left = copy(known, left, nodes)?;
     match right {
@@ -76,75 +92,68 @@ fn left_side<R: Real>(
     }
 }
 
-/// The threshold of a constraint: a named one if only one simplest name fits
-/// between its bounds, else inside of the gap; and a name that fits.
+/// The threshold of a bound: a named one if only one simplest name fits between its
+/// ends, else inside of the gap; and a name that fits.
 fn threshold<R: Real>(
     domain: &Domain<'_>,
     forms: &Forms<'_, R>,
-    chosen: &Chosen<R>,
+    bound: &Bound<R>,
 ) -> (f64, Option<Named>) {
-    let (inner, outer) = (chosen.inner, chosen.outer);
-    let gap = outer - inner;
-    let within = if gap.is_finite() {
-        inner + gap * R::from_f64(SHARE)
-    } else {
-        inner
-    };
-    let unnamed = chosen.side.outward(within).to_f64();
-    match names(domain, forms, chosen) {
+    let outward = |value: R| bound.side.outward(value).to_f64();
+    match name(domain, forms, bound) {
         Some(named) if named.alone => {
-            let bound = chosen
-                .side
-                .outward(R::from_f64(named.name.value))
-                .max(inner);
-            (chosen.side.outward(bound).to_f64(), Some(named))
+            let value = bound.side.outward(R::from_f64(named.name.value));
+            (outward(value.max(bound.inner)), Some(named))
         }
-        _ => (unnamed, None),
+        _ => (outward(bound.middle()), None),
     }
 }
 
-/// The simplest name between the bounds of a constraint.
-fn names<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, chosen: &Chosen<R>) -> Option<Named> {
-    let (inner, outer) = (chosen.inner, chosen.outer);
-    let (left, _) = forms.terms(&chosen.side);
+/// The simplest name between the ends of a bound.
+fn name<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, bound: &Bound<R>) -> Option<Named> {
+    let (inner, outer) = (bound.inner, bound.outer);
+    let (left, _) = forms.terms(&bound.side);
     let dimension = domain.dimension(forms.features().nodes(), left)?;
     let rounding = tolerance(inner);
     (outer - inner).is_finite().then(|| {
         simplest(domain, dimension, |value| {
-            let value = chosen.side.outward(R::from_f64(value));
+            let value = bound.side.outward(R::from_f64(value));
             inner - rounding <= value && value < outer - rounding
         })
     })?
 }
 
-/// What a constraint costs: a name for its threshold makes it cheaper, if its
-/// bounds are so close that the name is no accident.
-pub(super) fn price<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, chosen: &Chosen<R>) -> f64 {
-    let close = chosen.range * R::from_f64(CLOSE);
-    let named = if chosen.outer - chosen.inner <= close {
-        names(domain, forms, chosen).filter(|named| named.alone)
-    } else {
-        None
-    };
-    let unnamed = 3 + MAX_COMPLEXITY;
-    let complexity = named.map_or(unnamed, |named| named.complexity);
-    let corner = if speaks_of_corner(domain, forms, chosen) {
-        PRICE_OF_CORNERS
-    } else {
-        0.0
-    };
-    chosen.price() + corner + PRICE_OF_NAMES * complexity as f64
+/// What is to be said of a constraint beyond its forms, in bits: a name for its
+/// threshold makes it shorter, if its ends are so close that the name is no accident.
+pub(super) fn details<R: Real>(
+    domain: &Domain<'_>,
+    forms: &Forms<'_, R>,
+    chosen: &Chosen<R>,
+) -> f64 {
+    let details = chosen.bounds().map(|bound| {
+        let close = bound.range * R::from_f64(CLOSE);
+        let named = if bound.outer - bound.inner <= close {
+            name(domain, forms, bound).filter(|named| named.alone)
+        } else {
+            None
+        };
+        let unnamed = 3 + MAX_COMPLEXITY;
+        let complexity = named.map_or(unnamed, |named| named.complexity);
+        let corner = if speaks_of_corner(domain, forms, bound) {
+            PRICE_OF_CORNERS
+        } else {
+            0.0
+        };
+        corner + PRICE_OF_NAMES * complexity as f64
+    });
+    details.sum()
 }
 
 /// Whether its left side measures from where an object stands although the domain
 /// declares key points of that object: those are there because they mean
 /// something.
-fn speaks_of_corner<R: Real>(
-    domain: &Domain<'_>,
-    forms: &Forms<'_, R>,
-    chosen: &Chosen<R>,
-) -> bool {
-    let (left, _) = forms.terms(&chosen.side);
+fn speaks_of_corner<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, bound: &Bound<R>) -> bool {
+    let (left, _) = forms.terms(&bound.side);
     let Some(Node::Distance(_, a, b)) = forms.features().nodes().get(usize::from(left.0)) else {
         return false;
     };

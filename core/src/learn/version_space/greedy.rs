@@ -1,7 +1,8 @@
 //! The greedy choice of the next form of an explanation.
 
-use super::cover::{PRICE_OF_IGNORING, at_level, first_outside, intersect, last_inside};
+use super::cover::first_of;
 use super::forms::{Forms, Set, Side};
+use super::set::intersect;
 use crate::real::Real;
 
 /// By how much the count of a form is reduced in a greedy choice, by the level of
@@ -32,6 +33,11 @@ impl Taste {
             plainness: if member.is_multiple_of(2) { 1.0 } else { 4.0 },
         }
     }
+
+    fn reduction(&self, level: u8) -> f64 {
+        let own = REDUCTION.get(usize::from(level)).copied();
+        self.plainness * own.unwrap_or(0.0)
+    }
 }
 
 /// The form that excludes most of `left`, with a preference for simple ones; among
@@ -44,25 +50,20 @@ pub(super) fn best_side<R: Real>(
     salt: u32,
 ) -> Option<Side> {
     let mut best: Option<Side> = None;
-    let (mut best_score, mut best_gap) = (0.0, R::INFINITY);
+    let (mut most, mut closest) = (0.0, R::INFINITY);
     forms.for_each_count(left, |side, count| {
-        let mut score =
-            f64::from(count) * (1.0 - taste.plainness * at_level(REDUCTION, side.level));
+        let mut score = f64::from(count) * (1.0 - taste.reduction(side.level));
         if taste.whim > 0.0 {
             score *= 1.0 + taste.whim * scatter(salt, &side);
         }
-        if score < best_score {
+        if score < most {
             return;
         }
-        // Only now what costs time: how it stands to the feasible samples.
         let mut own = forms.excluded(&side);
         intersect(&mut own, left);
-        let outer = first_outside(forms, &side, &own);
-        let (inner, ignored) = last_inside(forms, &side, step, outer);
-        let score = score * (1.0 - PRICE_OF_IGNORING * f64::from(ignored));
-        let gap = outer - inner;
-        if score > best_score || (score == best_score && gap < best_gap) {
-            (best, best_score, best_gap) = (Some(side), score, gap);
+        let gap = first_of(forms, &side, &own) - forms.last_feasible(&side, step);
+        if score > most || gap < closest {
+            (best, most, closest) = (Some(side), score, gap);
         }
     });
     best

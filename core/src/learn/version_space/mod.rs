@@ -50,7 +50,9 @@
 //! were not shown to matter.
 
 mod ask;
+mod bound;
 mod certificate;
+mod clause;
 mod config;
 mod cover;
 mod deliberate;
@@ -59,6 +61,7 @@ mod forms;
 mod greedy;
 mod name;
 mod question;
+mod set;
 
 pub use certificate::Certificate;
 pub use config::{Capacity, Config, Evidence, Memory, Report};
@@ -81,11 +84,6 @@ use forms::{Forms, Storage};
 
 /// The most complex features that forms are made of.
 const COMPLEXITY: usize = 2;
-/// Infeasible samples that a constraint needs to be believed.
-const SUPPORT: usize = 2;
-/// Infeasible samples per constraint that a region needs to be given out: among
-/// thousands of forms some explain a few answers by chance.
-const CREDIBLE: usize = 6;
 /// By how much more likely an answer must be than its opposite.
 const BEYOND_DOUBT: f64 = 10_000.0;
 /// Explanations that compete to be the final one.
@@ -122,6 +120,10 @@ pub struct VersionSpace<'m, R> {
     certifying: bool,
     /// Whether the best explanations won an election and still hold.
     elected: bool,
+    /// How long the best explanations were at the last election, in bits.
+    standing: f64,
+    /// How many samples there were then.
+    electors: usize,
     region: Region,
     support: Support,
     report: Report,
@@ -181,6 +183,8 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             influence: false,
             certifying: false,
             elected: false,
+            standing: 0.0,
+            electors: 0,
             region: Region::new(domain, Formula::everything()),
             support: Support::new(),
             report: Report::default(),
@@ -212,12 +216,12 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         self.report.feasible > 0
             && constraints > 0
             && self.influence
-            && self.report.infeasible >= SUPPORT * constraints
             && self
                 .covers
                 .iter()
                 .step_by(MEMBERS)
                 .all(|cover| cover.complete)
+            && self.is_significant()
     }
 
     /// Takes a sample whose answer is beyond doubt.
@@ -239,7 +243,6 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         self.forms.add(query.instance, &lefts, worked, failed)?;
         self.note_influence(query, feasible);
         self.mend_best();
-        self.excuse();
         let Certificate {
             mut draws,
             feasible: mut worked,
@@ -347,8 +350,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
     }
 
     fn region(&self) -> Result<&Region, Error> {
-        let credible = self.report.infeasible >= CREDIBLE * self.constraints();
-        if self.is_explained() && credible {
+        if self.is_explained() {
             Ok(&self.region)
         } else {
             Err(Error::NoRegion)

@@ -7,6 +7,7 @@
 //! instance, just inside or just outside of their bounds: a constraint that fits
 //! the instances by chance does not survive that.
 
+use super::bound::Bound;
 use super::cover::{Chosen, Cover, MEMBERS};
 use super::forms::{Forms, Lefts};
 use crate::domain::{MAX_PARAMETERS, PointSet, Scene};
@@ -80,8 +81,8 @@ impl<R: Real> Choice<'_, '_, R> {
                 };
                 let lefts = self.forms.evaluate(&scene, &theta);
                 let query = Query { instance, theta };
-                let votes = self.votes(instance, &lefts);
-                let evenness = votes * (MEMBERS - votes);
+                let (votes, against) = self.votes(instance, &lefts);
+                let evenness = votes * against;
                 let better = evenness > split.map_or(0, |(most, _)| most);
                 if better && !self.is_settled(instance, &lefts) {
                     split = Some((evenness, query));
@@ -91,11 +92,11 @@ impl<R: Real> Choice<'_, '_, R> {
         if let Some((_, query)) = split {
             return Ok(Some(query));
         }
-        if let Some((share, chosen)) = self.widest_gap()
+        if let Some((share, chosen, bound)) = self.widest_gap()
             && share > NARROW
         {
-            let middle = chosen.inner + (chosen.outer - chosen.inner) * R::from_f64(0.5);
-            let query = self.at_value(problem, chosen, middle, |_| false, rng)?;
+            let middle = bound.inner + (bound.outer - bound.inner) * R::from_f64(0.5);
+            let query = self.at_value(problem, (chosen, bound), middle, |_| false, rng)?;
             if query.is_some() {
                 return Ok(query);
             }
@@ -106,12 +107,12 @@ impl<R: Real> Choice<'_, '_, R> {
     /// Whether a sample lies where a bound of the best explanation is known as well
     /// as needed. Others put it slightly elsewhere; that is not worth a question.
     fn is_settled(&self, instance: usize, lefts: &Lefts<R>) -> bool {
-        self.best_chosen().any(|chosen| {
-            let margin = chosen.range * R::from_f64(NARROW);
-            let value = self.forms.value(&chosen.side, instance, lefts);
-            chosen.outer - chosen.inner <= margin
-                && value >= chosen.inner - margin
-                && value <= chosen.outer + margin
+        self.best_bounds().any(|(_, bound)| {
+            let margin = bound.range * R::from_f64(NARROW);
+            let value = self.forms.value(&bound.side, instance, lefts);
+            bound.outer - bound.inner <= margin
+                && value >= bound.inner - margin
+                && value <= bound.outer + margin
         })
     }
 
@@ -123,47 +124,46 @@ impl<R: Real> Choice<'_, '_, R> {
             .flat_map(|cover| &cover.chosen)
     }
 
-    /// The constraint with the widest gap, relative to its range.
-    fn widest_gap(&self) -> Option<(f64, &Chosen<R>)> {
-        let share = |c: &Chosen<R>| ((c.outer - c.inner) / c.range).to_f64();
-        let finite = self
-            .best_chosen()
-            .map(|c| (share(c), c))
-            .filter(|(s, _)| s.is_finite());
-        finite.fold(None, |widest, (share, chosen)| match widest {
-            Some((most, _)) if most >= share => widest,
-            _ => Some((share, chosen)),
-        })
+    /// The bounds of the best explanations, each with its constraint.
+    fn best_bounds(&self) -> impl Iterator<Item = (&Chosen<R>, &Bound<R>)> {
+        let bounds = |chosen| Chosen::bounds(chosen).map(move |bound| (chosen, bound));
+        self.best_chosen().flat_map(bounds)
+    }
+
+    /// The bound with the widest gap, relative to its range, and its constraint.
+    fn widest_gap(&self) -> Option<(f64, &Chosen<R>, &Bound<R>)> {
+        let share = |b: &Bound<R>| ((b.outer - b.inner) / b.range).to_f64();
+        let shares = self.best_bounds().map(|(c, b)| (share(b), c, b));
+        let finite = shares.filter(|(share, ..)| share.is_finite());
+        finite.reduce(|widest, next| if next.0 > widest.0 { next } else { widest })
     }
 
     /// A sample just inside or just outside of one constraint, where none of the
     /// instance is yet.
     fn test(&self, problem: &Problem<'_>, rng: &mut Generator) -> Result<Option<Query>, Error> {
-        let Some(chosen) = self
-            .best_chosen()
-            .nth(below(rng, self.best_chosen().count()))
-        else {
+        let count = self.best_bounds().count();
+        let Some((chosen, bound)) = self.best_bounds().nth(below(rng, count)) else {
             return Ok(None);
         };
-        let margin = chosen.range * R::from_f64(NARROW);
+        let margin = bound.range * R::from_f64(NARROW);
         let off = margin * R::from_f64(0.5 * uniform(rng));
         let inside = rng.next_u32() & 1 == 0;
         let (value, ends) = if inside {
-            let least = chosen.inner - margin * R::from_f64(0.5);
-            (chosen.inner - off, [least, chosen.inner])
+            let least = bound.inner - margin * R::from_f64(0.5);
+            (bound.inner - off, [least, bound.inner])
         } else {
-            let most = chosen.outer + margin * R::from_f64(0.5);
-            (chosen.outer + off, [chosen.outer, most])
+            let most = bound.outer + margin * R::from_f64(0.5);
+            (bound.outer + off, [bound.outer, most])
         };
         let [low, high] = ends;
         let tested = |instance: usize| {
             let near = |sample: &usize| {
-                let value = self.forms.value_at(&chosen.side, *sample);
+                let value = self.forms.value_at(&bound.side, *sample);
                 self.forms.instance_of(*sample) == instance && low <= value && value <= high
             };
             (0..self.forms.samples()).any(|sample| near(&sample))
         };
-        self.at_value(problem, chosen, value, tested, rng)
+        self.at_value(problem, (chosen, bound), value, tested, rng)
     }
 
     /// Of some candidates, the one farthest from all samples of its instance: what
@@ -183,8 +183,8 @@ impl<R: Real> Choice<'_, '_, R> {
             for _ in 0..EACH {
                 let theta = any_theta(problem, rng);
                 let lefts = self.forms.evaluate(&scene, &theta);
-                let inside = |c: &Chosen<R>| self.forms.value(&c.side, instance, &lefts) <= c.inner;
-                if !everywhere && !self.best_chosen().all(inside) {
+                let admitted = || self.best_chosen().all(|c| self.admits(c, instance, &lefts));
+                if !everywhere && !admitted() {
                     continue;
                 }
                 let query = Query { instance, theta };
@@ -217,12 +217,18 @@ impl<R: Real> Choice<'_, '_, R> {
         apart.fold(f64::INFINITY, f64::min)
     }
 
-    /// A sample in some instance at which a form of the best explanation has a
-    /// certain value, and which all its other constraints admit.
+    /// Whether a constraint admits a sample for all thresholds between its ends.
+    fn admits(&self, chosen: &Chosen<R>, instance: usize, lefts: &Lefts<R>) -> bool {
+        let value = |bound: &Bound<R>| self.forms.value(&bound.side, instance, lefts);
+        chosen.bounds().any(|bound| value(bound) <= bound.inner)
+    }
+
+    /// A sample in some instance at which the form of a bound has a certain value,
+    /// and for which nothing else decides.
     fn at_value(
         &self,
         problem: &Problem<'_>,
-        chosen: &Chosen<R>,
+        (chosen, bound): (&Chosen<R>, &Bound<R>),
         value: R,
         skip: impl Fn(usize) -> bool,
         rng: &mut Generator,
@@ -236,7 +242,7 @@ impl<R: Real> Choice<'_, '_, R> {
             let scene = Scene::new(problem.domain(), problem.instance(instance)?, points)?;
             let beyond = |theta: &Theta| {
                 let lefts = self.forms.evaluate(&scene, theta);
-                self.forms.value(&chosen.side, instance, &lefts) > value
+                self.forms.value(&bound.side, instance, &lefts) > value
             };
             let (mut inside, mut outside) = (any_theta(problem, rng), any_theta(problem, rng));
             match (beyond(&inside), beyond(&outside)) {
@@ -253,11 +259,12 @@ impl<R: Real> Choice<'_, '_, R> {
                 }
             }
             let lefts = self.forms.evaluate(&scene, &inside);
-            let admits = |other: &Chosen<R>| {
-                other.side == chosen.side
-                    || self.forms.value(&other.side, instance, &lefts) <= other.inner
-            };
-            if self.best_chosen().all(admits) {
+            let value = |other: &Bound<R>| self.forms.value(&other.side, instance, &lefts);
+            let mut rivals = chosen.bounds().filter(|other| *other != bound);
+            let mut others = self.best_chosen().filter(|other| *other != chosen);
+            if rivals.all(|other| value(other) >= other.outer)
+                && others.all(|other| self.admits(other, instance, &lefts))
+            {
                 let theta = inside;
                 return Ok(Some(Query { instance, theta }));
             }
@@ -290,20 +297,23 @@ impl<R: Real> Choice<'_, '_, R> {
         theta
     }
 
-    /// How many members of the committee expect the sample to work.
-    fn votes(&self, instance: usize, lefts: &Lefts<R>) -> usize {
+    /// How many members of the committee expect the sample to work, and how many do
+    /// not. The best explanations vote only if they agree with every answer.
+    fn votes(&self, instance: usize, lefts: &Lefts<R>) -> (usize, usize) {
         let half = R::from_f64(0.5);
         let agrees = |cover: &Cover<R>| {
-            cover.chosen.iter().all(|chosen| {
-                let value = self.forms.value(&chosen.side, instance, lefts);
-                chosen.position(value) < half
-            })
+            let value = |bound: &Bound<R>| self.forms.value(&bound.side, instance, lefts);
+            let holds = |bound: &Bound<R>| bound.position(value(bound)) < half;
+            cover.chosen.iter().all(|chosen| chosen.bounds().any(holds))
         };
-        let mut votes = MEMBERS;
-        for member in 0..MEMBERS {
-            let own = self.covers.iter().skip(member).step_by(MEMBERS);
-            votes -= usize::from(!own.into_iter().all(agrees));
-        }
-        votes
+        let strained = self.best_bounds().any(|(_, bound)| bound.strain > 0.0);
+        let voters = usize::from(strained)..MEMBERS;
+        let in_favour = |member: &usize| {
+            let mut own = self.covers.iter().skip(*member).step_by(MEMBERS);
+            own.all(agrees)
+        };
+        let all = voters.len();
+        let votes = voters.filter(in_favour).count();
+        (votes, all - votes)
     }
 }

@@ -1,8 +1,7 @@
 //! What is known of forms and samples: S, the samples of each step, and the value
 //! of a form at a sample.
 
-use super::{MAX_TRIM, MAX_WORDS, Sample, Set, tolerance};
-use crate::learn::version_space::cover::members;
+use super::{MAX_WORDS, Sample, Set, tolerance};
 use crate::real::Real;
 
 /// The values of a form at the feasible samples.
@@ -41,19 +40,12 @@ pub(super) struct Step {
     pub(super) feasible: Set,
     /// The samples at which it failed.
     pub(super) infeasible: Set,
-    /// Those of them that need no explanation.
-    pub(super) excused: Set,
-    /// How many of the most extreme feasible samples do not widen S, for every
-    /// form and direction.
-    pub(super) trim: usize,
 }
 
 impl Step {
     pub(super) const NEW: Step = Step {
         feasible: [0; MAX_WORDS],
         infeasible: [0; MAX_WORDS],
-        excused: [0; MAX_WORDS],
-        trim: 0,
     };
 }
 
@@ -83,25 +75,6 @@ impl<R: Real> Known<'_, R> {
         }
     }
 
-    /// S without the most extreme samples in each direction.
-    pub(super) fn span(&self, left: usize, column: usize, step: &Step) -> Span<R> {
-        let mut lows = [R::INFINITY; MAX_TRIM + 1];
-        let mut highs = [-R::INFINITY; MAX_TRIM + 1];
-        for sample in members(&step.feasible) {
-            let (mut low, mut high) = (self.value(left, column, sample), R::ZERO);
-            high = low + high;
-            // Sinks into the sorted extremes; what it displaces sinks further.
-            for (least, most) in lows.iter_mut().zip(&mut highs).take(step.trim + 1) {
-                (*least, low) = (least.min(low), least.max(low));
-                (*most, high) = (most.max(high), most.min(high));
-            }
-        }
-        Span {
-            low: lows.get(step.trim).copied().unwrap_or(R::INFINITY),
-            high: highs.get(step.trim).copied().unwrap_or(-R::INFINITY),
-        }
-    }
-
     /// Brings up to date which infeasible samples of a step a form excludes.
     #[expect(clippy::too_many_arguments)]
     pub(super) fn settle_bits(
@@ -121,18 +94,13 @@ impl<R: Real> Known<'_, R> {
                 let Some(slot) = bits.get_mut(place) else {
                     continue;
                 };
-                let mut open = *mask;
-                // S that only grows takes bits away; trimming may bring some back.
-                if step.trim == 0 {
-                    open &= *slot;
-                }
+                // S only grows, which only takes bits away.
+                let mut open = *mask & *slot;
                 while open != 0 {
                     let bit = open & open.wrapping_neg();
                     open ^= bit;
                     let sample = 64 * word + bit.trailing_zeros() as usize;
-                    if span.excludes(self.value(left, column, sample), upper) {
-                        *slot |= bit;
-                    } else {
+                    if !span.excludes(self.value(left, column, sample), upper) {
                         *slot &= !bit;
                     }
                 }

@@ -27,6 +27,19 @@ pub(in crate::learn::version_space) struct Run {
     pub(in crate::learn::version_space) forms: Range<usize>,
 }
 
+impl Run {
+    /// A form of the run from one direction.
+    pub(super) fn side(&self, form: usize, column: usize, upper: bool) -> Side {
+        Side {
+            form: form as u32,
+            column: column as u16,
+            left: self.left as u8,
+            level: self.level as u8,
+            upper,
+        }
+    }
+}
+
 /// A form from one direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::learn::version_space) struct Side {

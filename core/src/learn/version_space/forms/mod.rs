@@ -16,7 +16,7 @@ mod update;
 pub use known::Span;
 pub(in crate::learn::version_space) use layout::Side;
 
-use super::cover::{MAX_STEPS, remove};
+use super::cover::MAX_STEPS;
 use crate::domain::{
     Dependence, Dimension, MAX_PARAMETERS, Node, NodeId, PointSet, Sample as Point, Scene,
 };
@@ -37,6 +37,8 @@ pub(in crate::learn::version_space) const MAX_WORDS: usize = 32;
 /// distances and angles, scaled ones.
 pub(in crate::learn::version_space) const LEVELS: usize = 4;
 const DIMENSIONS: usize = Dimension::ALL.len();
+/// What it takes to say that a form is one named before, in bits.
+const AGAIN: f64 = 3.0;
 /// The column of "nothing".
 const NOTHING: u16 = u16::MAX;
 
@@ -58,10 +60,6 @@ pub struct Sample {
     instance: u32,
 }
 
-/// Most feasible samples that a step's constraints may ignore, each in each
-/// direction.
-pub(in crate::learn::version_space) const MAX_TRIM: usize = 7;
-
 /// The forms of a domain, what the feasible samples say about each and which
 /// infeasible samples each excludes.
 #[derive(Debug)]
@@ -81,6 +79,8 @@ pub(in crate::learn::version_space) struct Forms<'m, R> {
     /// What is known of each step.
     steps: [Step; MAX_STEPS],
     width: usize,
+    /// What it takes to name a form of each level and a direction.
+    bits_of_level: [f64; LEVELS],
 }
 
 /// Tables that forms live in.
@@ -127,6 +127,7 @@ impl<'m, R: Real> Forms<'m, R> {
             rows: storage.rows,
             samples: Table::new(storage.samples, "samples"),
             steps: [Step::NEW; MAX_STEPS],
+            bits_of_level: [0.0; LEVELS],
         }
     }
 
@@ -169,6 +170,11 @@ impl<'m, R: Real> Forms<'m, R> {
         });
         self.columns = columns;
         self.used = self.layout.runs().map(|run| run.forms.len()).sum();
+        for (level, bits) in self.bits_of_level.iter_mut().enumerate() {
+            let own = self.layout.runs().filter(|run| run.level == level);
+            let sides = 2 * own.map(|run| run.forms.len()).sum::<usize>();
+            *bits = (level + 1) as f64 + libm::log2(sides.max(1) as f64);
+        }
         filled
     }
 
@@ -292,33 +298,34 @@ impl<'m, R: Real> Forms<'m, R> {
         side.outward(left - right.unwrap_or(R::NAN))
     }
 
-    /// The infeasible samples of a step that need an explanation.
+    /// The infeasible samples of a step.
     pub(in crate::learn::version_space) fn infeasible(&self, step: usize) -> Set {
-        let mut set = self
-            .steps
+        self.steps
             .get(step)
-            .map_or([0; MAX_WORDS], |s| s.infeasible);
-        remove(&mut set, &self.excused(step));
-        set
-    }
-
-    /// The infeasible samples of a step that need no explanation.
-    pub(in crate::learn::version_space) fn excused(&self, step: usize) -> Set {
-        self.steps.get(step).map_or([0; MAX_WORDS], |s| s.excused)
-    }
-
-    /// Excuses infeasible samples of a step.
-    pub(in crate::learn::version_space) fn excuse(&mut self, step: usize, set: &Set) {
-        if let Some(own) = self.steps.get_mut(step) {
-            for (word, new) in own.excused.iter_mut().zip(set) {
-                *word |= new;
-            }
-        }
+            .map_or([0; MAX_WORDS], |s| s.infeasible)
     }
 
     /// The feasible samples of a step.
     pub(in crate::learn::version_space) fn feasible(&self, step: usize) -> Set {
         self.steps.get(step).map_or([0; MAX_WORDS], |s| s.feasible)
+    }
+
+    /// The end of S: the value farthest out at a feasible sample of a step.
+    pub(in crate::learn::version_space) fn last_feasible(&self, side: &Side, step: usize) -> R {
+        let own = self
+            .spans
+            .get(step * self.layout.capacity + side.form as usize);
+        let span = own.copied().unwrap_or_default();
+        if side.upper { span.high } else { -span.low }
+    }
+
+    /// The length of a bound's description in bits: which form, unless it is named
+    /// already, which direction, and which threshold of those that the samples tell
+    /// apart.
+    pub(in crate::learn::version_space) fn bits(&self, side: &Side, named: bool) -> f64 {
+        let form = self.bits_of_level.get(usize::from(side.level));
+        let form = form.copied().filter(|_| !named).unwrap_or(AGAIN);
+        form + libm::log2((self.samples() + 1) as f64)
     }
 
     /// The value of a form at a sample.
@@ -374,6 +381,23 @@ impl<'m, R: Real> Forms<'m, R> {
         set
     }
 
+    /// Calls `visit` with every form up to a level, from both directions.
+    pub(in crate::learn::version_space) fn for_each_side(
+        &self,
+        level: u8,
+        mut visit: impl FnMut(Side),
+    ) {
+        for run in self.layout.runs() {
+            if run.level > usize::from(level) {
+                continue;
+            }
+            for (form, column) in run.forms.clone().zip(run.columns.clone()) {
+                visit(run.side(form, column, true));
+                visit(run.side(form, column, false));
+            }
+        }
+    }
+
     /// Calls `visit` with every form from both directions and the number of
     /// infeasible samples of `wanted` that it excludes, unless it is zero.
     pub(in crate::learn::version_space) fn for_each_count(
@@ -394,14 +418,7 @@ impl<'m, R: Real> Forms<'m, R> {
                     let own = own.zip(wanted).take(words);
                     let count = own.map(|(word, wanted)| (word & wanted).count_ones()).sum();
                     if count > 0 {
-                        let side = Side {
-                            form: form as u32,
-                            column: column as u16,
-                            left: run.left as u8,
-                            level: run.level as u8,
-                            upper,
-                        };
-                        visit(side, count);
+                        visit(run.side(form, column, upper), count);
                     }
                 }
             }

@@ -1,6 +1,6 @@
 //! Taking samples in: S widens, and the sets of excluded samples follow.
 
-use super::{Forms, Known, MAX_TRIM, Sample};
+use super::{Forms, Known, Sample};
 use crate::error::Error;
 use crate::real::Real;
 
@@ -85,51 +85,14 @@ impl<R: Real> Forms<'_, R> {
                     continue;
                 }
                 let column = run.columns.start + at;
-                if own.trim == 0 {
-                    span.low = span.low.min(value);
-                    span.high = span.high.max(value);
-                } else {
-                    *span = known.span(run.left, column, &own);
-                }
+                span.low = span.low.min(value);
+                span.high = span.high.max(value);
                 let form = run.forms.start + at;
                 known.settle_bits(
                     self.bits, capacity, words, form, run.left, column, span, &own,
                 );
             }
         }
-    }
-
-    /// Ignores so many of the most extreme feasible samples of a step.
-    pub(in crate::learn::version_space) fn set_trim(&mut self, step: usize, trim: usize) {
-        let capacity = self.layout.capacity;
-        let Some(own) = self.steps.get_mut(step) else {
-            return;
-        };
-        own.trim = trim.min(MAX_TRIM);
-        let own = *own;
-        let words = self.words();
-        let known = Known {
-            instances: self.instances,
-            width: self.width,
-            rows: self.rows,
-            left_count: self.left_count,
-            samples: self.samples.as_slice(),
-        };
-        let spans = self.spans.get_mut(step * capacity..).unwrap_or(&mut []);
-        for run in self.layout.runs() {
-            let spans = spans.get_mut(run.forms.clone()).unwrap_or(&mut []);
-            for (at, span) in spans.iter_mut().enumerate() {
-                let (form, column) = (run.forms.start + at, run.columns.start + at);
-                *span = known.span(run.left, column, &own);
-                known.settle_bits(
-                    self.bits, capacity, words, form, run.left, column, span, &own,
-                );
-            }
-        }
-    }
-
-    pub(in crate::learn::version_space) fn trim(&self, step: usize) -> usize {
-        self.steps.get(step).map_or(0, |s| s.trim)
     }
 
     /// Notes which forms exclude an infeasible sample.
