@@ -9,9 +9,11 @@
 
 mod boxes;
 mod bytes;
+mod gaps;
 mod ground;
 mod interval;
 mod sample;
+mod slice;
 
 pub use bytes::SavedRegion;
 pub use ground::{Grounded, MAX_REGION_POINTS};
