@@ -3,29 +3,33 @@
 use super::expression::Node;
 use super::schema::{Base, Domain, MAX_POINTS};
 
-/// A set of points of a domain, with the points they are placed in.
+/// A set of points of a domain, with the points they are placed in. Those that move
+/// with a parameter are kept apart.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct PointSet(u64);
-
-const _: () = assert!(MAX_POINTS <= 64, "a PointSet has a bit per point");
+pub struct PointSet {
+    pub(super) fixed: Bits,
+    pub(super) sampled: Bits,
+}
 
 impl PointSet {
     /// All points of a domain.
     pub fn all(domain: &Domain<'_>) -> PointSet {
         (0u8..)
             .zip(domain.points())
-            .fold(PointSet(0), |set, (i, _)| set.with(domain, i))
+            .fold(PointSet::default(), |set, (i, _)| set.with(domain, i))
     }
 
     /// The points that a list of nodes speaks about; all members' where it speaks
     /// of a group.
     pub fn of(domain: &Domain<'_>, nodes: &[Node]) -> PointSet {
-        nodes.iter().fold(PointSet(0), |set, node| match node {
-            Node::Extreme(_, relation) => domain
-                .terms(*relation)
-                .fold(set, |set, (_, term)| set.with_term(domain, term)),
-            term => set.with_term(domain, *term),
-        })
+        nodes
+            .iter()
+            .fold(PointSet::default(), |set, node| match node {
+                Node::Extreme(_, relation) => domain
+                    .terms(*relation)
+                    .fold(set, |set, (_, term)| set.with_term(domain, term)),
+                term => set.with_term(domain, *term),
+            })
     }
 
     /// A bit for each parameter that these points or a list of nodes depend on.
@@ -36,9 +40,8 @@ impl PointSet {
                 _ => bits,
             })
         };
-        let points = self
-            .iter()
-            .filter_map(|p| domain.points().get(usize::from(p)));
+        let points = self.fixed.iter().chain(self.sampled.iter());
+        let points = points.filter_map(|p| domain.points().get(usize::from(p)));
         let placed = points.flat_map(|p| p.turn.into_iter().chain(p.offset).flatten());
         placed.fold(own(nodes), |bits, term| {
             bits | domain.parameters_of(domain.nodes(), term)
@@ -55,27 +58,40 @@ impl PointSet {
 
     fn with(mut self, domain: &Domain<'_>, point: u8) -> PointSet {
         let mut next = Some(point);
-        while let Some(point) = next {
-            self.insert(point);
-            next = match domain.points().get(usize::from(point)).map(|p| p.base) {
-                Some(Base::Point(base)) => Some(base),
-                _ => None,
+        while let Some(index) = next.take() {
+            let Some(point) = domain.points().get(usize::from(index)) else {
+                break;
             };
+            if point.sampled {
+                self.sampled.insert(index);
+            } else {
+                self.fixed.insert(index);
+            }
+            if let Base::Point(base) = point.base {
+                next = Some(base);
+            }
         }
         self
     }
+}
 
-    /// Adds a point without those it is placed in.
-    pub(super) fn insert(&mut self, point: u8) {
+/// Indices of points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Bits(u64);
+
+const _: () = assert!(MAX_POINTS <= 64, "there is a bit per point");
+
+impl Bits {
+    fn insert(&mut self, point: u8) {
         self.0 |= 1u64.checked_shl(u32::from(point)).unwrap_or(0);
     }
 
-    /// How many points it has.
+    /// How many there are.
     pub(super) fn len(self) -> usize {
         self.0.count_ones() as usize
     }
 
-    /// The points of the set, ascending.
+    /// All of them, ascending.
     pub(super) fn iter(self) -> impl Iterator<Item = u8> {
         let mut left = self.0;
         core::iter::from_fn(move || {
@@ -89,7 +105,7 @@ impl PointSet {
         self.0.checked_shr(u32::from(point)).unwrap_or(0) & 1 == 1
     }
 
-    /// How many points of the set stand before `point`.
+    /// How many of them are below `point`.
     pub(super) fn rank(self, point: u8) -> usize {
         let below = 1u64
             .checked_shl(u32::from(point))

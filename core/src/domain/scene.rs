@@ -42,9 +42,9 @@ enum Turn {
 pub struct Scene<'a, R, const POINTS: usize = MAX_POINTS> {
     domain: &'a Domain<'a>,
     instance: &'a [f64],
-    fixed: PointSet,
+    points: PointSet,
+    /// Of the points that do not depend on the parameters.
     frames: Vec<Frame3<R>, POINTS>,
-    sampled: PointSet,
 }
 
 impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
@@ -58,41 +58,34 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
         instance: &'a [f64],
         points: PointSet,
     ) -> Result<Self, Error> {
-        let mut scene = Scene::without_points(domain, instance);
-        scene.add(points)?;
+        let mut scene = Scene::blank(domain, instance, points);
+        scene.settle()?;
         Ok(scene)
     }
 
-    /// As [`Scene::new`] for no points; [`Scene::add`] completes it in place, which
-    /// saves moving the frames.
-    pub(crate) fn without_points(domain: &'a Domain<'a>, instance: &'a [f64]) -> Self {
+    /// As [`Scene::new`], to be completed in place by [`Scene::settle`], which saves
+    /// moving the frames.
+    pub(crate) fn blank(domain: &'a Domain<'a>, instance: &'a [f64], points: PointSet) -> Self {
         Scene {
             domain,
             instance,
-            fixed: PointSet::default(),
+            points,
             frames: Vec::new(),
-            sampled: PointSet::default(),
         }
     }
 
-    pub(crate) fn add(&mut self, points: PointSet) -> Result<(), Error> {
+    pub(crate) fn settle(&mut self) -> Result<(), Error> {
         self.domain.check_instance(self.instance)?;
-        for index in points.iter() {
-            let Some(point) = self.domain.points().get(usize::from(index)) else {
-                continue;
-            };
-            if point.sampled {
-                self.sampled.insert(index);
-                continue;
-            }
-            let frame = self.fixed_frame(point);
-            self.frames
-                .push(frame)
-                .map_err(|_| Error::CapacityExceeded("points of a region or domain"))?;
-            self.fixed.insert(index);
-        }
-        if self.sampled.len() > MAX_SAMPLE_POINTS {
+        if self.points.sampled.len() > MAX_SAMPLE_POINTS {
             return Err(Error::CapacityExceeded("points that depend on a parameter"));
+        }
+        for index in self.points.fixed.iter() {
+            if let Some(point) = self.domain.points().get(usize::from(index)) {
+                let frame = self.fixed_frame(point);
+                self.frames
+                    .push(frame)
+                    .map_err(|_| Error::CapacityExceeded("points of a region or domain"))?;
+            }
         }
         Ok(())
     }
@@ -105,7 +98,7 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
             placed: Vec::new(),
             frames: Vec::new(),
         };
-        for index in self.sampled.iter() {
+        for index in self.points.sampled.iter() {
             if let Some(point) = self.domain.points().get(usize::from(index)) {
                 let placed = sample.place(point);
                 // There is room: the scene counted the points.
@@ -142,7 +135,7 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
     }
 
     fn frame(&self, point: u8) -> Option<&Frame3<R>> {
-        self.frames.get(self.fixed.rank(point))
+        self.frames.get(self.points.fixed.rank(point))
     }
 
     /// The value of an offset or turn; these never speak about points.
@@ -304,7 +297,7 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
 
     /// Where a sample point is; `None` for a point that is none.
     fn placed(&self, point: u8) -> Option<&Placed<A>> {
-        let sampled = self.scene.sampled;
+        let sampled = self.scene.points.sampled;
         sampled
             .has(point)
             .then(|| self.placed.get(sampled.rank(point)))?

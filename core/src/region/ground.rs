@@ -41,7 +41,7 @@ impl<'a, R: Real> Grounded<'a, R> {
         Grounded {
             region,
             domain,
-            scene: Scene::without_points(domain, instance),
+            scene: Scene::blank(domain, instance, region.points),
             set: IntervalSet::default(),
         }
     }
@@ -50,7 +50,7 @@ impl<'a, R: Real> Grounded<'a, R> {
         if self.domain.fingerprint() != self.region.fingerprint {
             return Err(Error::Mismatch("the region belongs to another domain text"));
         }
-        self.scene.add(self.region.points)?;
+        self.scene.settle()?;
         let [parameter] = self.parameters() else {
             return Ok(());
         };

@@ -115,7 +115,9 @@ impl Region {
         instance: &[f64],
         theta: &[f64],
     ) -> Result<bool, Error> {
-        self.ground::<R>(domain, instance)?.contains(theta)
+        let mut grounded = Grounded::<R>::blank(self, domain, instance);
+        grounded.settle()?;
+        grounded.contains(theta)
     }
 
     /// Draws parameters uniformly from the region in an instance.

@@ -53,10 +53,10 @@ impl<'t> DomainParser<'t> {
         }
         let at = self.lexer.clone();
         let count = match self.lexer.advance() {
-            Token::Number(number) if number >= 1.0 => number as u32,
+            Token::Number(number) if number >= 1.0 => number as u64,
             _ => return Err(at.error(WHAT)),
         };
-        if at.token() != Token::Number(f64::from(count)) {
+        if at.token() != Token::Number(count as f64) {
             return Err(at.error(WHAT));
         }
         self.lexer.expect("]", "expected `]`")?;
