@@ -148,6 +148,8 @@ impl<R: Real> Cut<R> {
         let [a, b] = roots(curve).map(|root| root.filter(inside));
         let ordered = match (a, b) {
             (Some(a), Some(b)) if b < a => [Some(b), Some(a)],
+            // One root that was found twice: nothing lies between.
+            (a, b) if a == b => [a, None],
             (None, b) => [b, None],
             both => both.into(),
         };

@@ -152,9 +152,10 @@ impl ExpressionParser<'_, '_, '_> {
             "dist_y" => Some(Metric::Y),
             "dist_z" => Some(Metric::Z),
             "angle" => None,
+            "min" | "max" => return Err(at.error("min and max cannot be of each other")),
             _ => {
                 return Err(at.error(
-                    "unknown function; there are dist, dist_x, dist_y, dist_z, angle, area, and min and max of a single one",
+                    "unknown function; there are dist, dist_x, dist_y, dist_z, angle, area, min, max",
                 ));
             }
         };
