@@ -36,10 +36,10 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            136800 bytes           37216 bytes
- *           4096           256            555872 bytes           48992 bytes
- *          10000           256           1174612 bytes           57828 bytes
- *          20000           256           2167112 bytes           72832 bytes
+ *           1024           128            139400 bytes           39816 bytes
+ *           4096           256            558472 bytes           51592 bytes
+ *          10000           256           1177212 bytes           60428 bytes
+ *          20000           256           2169712 bytes           75432 bytes
  *
  * Every further instance takes hypotheses + 512 bytes more, every further step
  * 16 * hypotheses + 2560 at most. The macros of CRITREG_LEARNER_WORDS() are for
@@ -57,7 +57,7 @@
  * Arguments stand in this order: handle, inputs, user_data, outputs.
  *
  * Every pointer is checked for NULL and alignment, every length and every number
- * for NaN and infinity. A handle is recognised by a seal in its memory. What C
+ * for NaN and infinity (NaN is the number of an absent member of a group). A handle is recognised by a seal in its memory. What C
  * cannot check is the caller's promise: that a pointer points to as much as the
  * function's description says, that texts end with NUL, that memory is not freed.
  *
@@ -88,7 +88,8 @@
  *
  * All numbers are double, angles are in radians, and lengths in whatever unit the
  * domain text uses. An instance is one number per attribute of every object, in
- * order of declaration; several instances stand one behind the other. A sample,
+ * order of declaration; several instances stand one behind the other. A member of a
+ * group that an instance does not have has NAN for all of its attributes. A sample,
  * theta, is one number per parameter, at most CRITREG_MAX_PARAMETERS.
  * The same inputs and seed give the same results on every machine.
  *
@@ -151,7 +152,8 @@
  *     domain    = { statement } ;                 (* "#" starts a comment *)
  *     statement = type | object | constant | parameter | shape | point ;
  *     type      = "type" name attributes ;
- *     object    = "object" name ( attributes | { "," name } ":" name ) ;
+ *     object    = "object" named ( attributes | { "," named } ":" name ) ;
+ *     named     = name [ "[" number "]" ] ;       (* a group of so many members *)
  *     attributes= "{" [ name ":" dimension { "," name ":" dimension } ] "}" ;
  *     dimension = "length" | "angle" | "area" | "flag" | "none" ;
  *     constant  = "constant" path "=" expr ":" dimension ;
@@ -165,7 +167,8 @@
  *     offset    = "(" expr "," expr [ "," expr ] ")" ;
  *     expr      = term { ( "+" | "-" ) term } ;
  *     term      = factor { "*" factor } ;
- *     factor    = number | "pi" | path | "-" factor | "(" expr ")" | call ;
+ *     factor    = number | "pi" | path | "-" factor | "(" expr ")" | call | extreme ;
+ *     extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over a group *)
  *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" )
  *                   "(" path "," path ")"
  *               | "area" "(" name ")" ;
@@ -179,9 +182,19 @@
  * turns and sizes are made of numbers, constants, attributes and parameters. Only
  * quantities of one dimension are added and compared.
  *
- * Limits: CRITREG_DOMAIN_TEXT_MAX bytes; 16 types, 64 attributes of types, 24
- * objects, 255 numbers of an instance, 32 constants, 6 parameters, 32 points of
- * which 6 depend on a parameter, 16 shapes.
+ * A group, as in "object obstacle[6]: block", is any number of objects of one type,
+ * up to six. An instance has the numbers of all six; each number of a member that
+ * is absent is NAN. A shape or point of a group is one of each member. Nothing is
+ * said of a single member, but min(...) and max(...) are the least and the greatest
+ * value over the members that are there: "min(dist(hand, obstacle)) >= 0.2" holds
+ * if the hand is clear of every obstacle, also if there is none. So one region
+ * serves instances with different numbers of objects.
+ *
+ * Limits: CRITREG_DOMAIN_TEXT_MAX bytes; 16 types, 64 attributes of types, 32
+ * objects, 8 groups, 255 numbers of an instance, 32 constants, 6 parameters, 64
+ * points of which 6 depend on a parameter, 16 shapes. Every member of a group
+ * counts as an object, with its own numbers and points. A region can refer to 32
+ * points, with those they are placed in.
  *
  *
  * THE REGION TEXT
@@ -192,7 +205,7 @@
  *     constraint = expr ( "<" | "<=" | ">=" | ">" ) expr [ "(" expr ")" ] ;
  *
  * Here an expr may also name the coordinates of points, as in grasp.y, and
- * distances, angles and areas. The expression in brackets behind a constraint
+ * distances, angles and areas, and min(...) and max(...) of those of a group. The expression in brackets behind a constraint
  * names its right side in words of the domain; it is kept and printed, and
  * otherwise ignored. Limit: CRITREG_MAX_CONSTRAINTS constraints.
  *
@@ -264,19 +277,19 @@
  * Bytes of a learner that do not depend on its capacity, on a machine with
  * pointers of 32 bits; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_LEARNER_FIXED_BYTES 20480
+#define CRITREG_LEARNER_FIXED_BYTES 22016
 
 /**
  * Bytes of a region, on a machine with pointers of 32 bits; for
  * CRITREG_REGION_WORDS.
  */
-#define CRITREG_REGION_FIXED_BYTES 10496
+#define CRITREG_REGION_FIXED_BYTES 12032
 
 /**
  * Pointers in a handle, which take more room on a machine with longer ones; for
  * CRITREG_LEARNER_WORDS and CRITREG_REGION_WORDS.
  */
-#define CRITREG_HANDLE_POINTERS 512
+#define CRITREG_HANDLE_POINTERS 656
 
 /**
  * Bytes of a sample that was told, apart from its left sides; for

@@ -13,15 +13,15 @@ pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
 
 /// Bytes of a learner that do not depend on its capacity, on a machine with
 /// pointers of 32 bits; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_LEARNER_FIXED_BYTES: usize = 20_480;
+pub const CRITREG_LEARNER_FIXED_BYTES: usize = 22_016;
 
 /// Bytes of a region, on a machine with pointers of 32 bits; for
 /// CRITREG_REGION_WORDS.
-pub const CRITREG_REGION_FIXED_BYTES: usize = 10_496;
+pub const CRITREG_REGION_FIXED_BYTES: usize = 12_032;
 
 /// Pointers in a handle, which take more room on a machine with longer ones; for
 /// CRITREG_LEARNER_WORDS and CRITREG_REGION_WORDS.
-pub const CRITREG_HANDLE_POINTERS: usize = 512;
+pub const CRITREG_HANDLE_POINTERS: usize = 656;
 
 /// Bytes of a sample that was told, apart from its left sides; for
 /// CRITREG_LEARNER_WORDS.

@@ -92,11 +92,18 @@ impl critreg_region {
     /// # Safety
     /// If not NULL and aligned, `instance` is readable for one instance.
     pub(crate) unsafe fn ground(&self, instance: *const f64) -> Fallible<Grounded<'_, f64>> {
-        let numbers = self.domain.instance_len();
         // SAFETY: by this function's contract.
-        let instance = unsafe { pointer::slice(instance, numbers, "instance")? };
-        self.domain.check_instance(instance)?;
+        let instance = unsafe { self.instance(instance)? };
         Ok(self.region.ground(self.domain, instance)?)
+    }
+
+    /// The numbers of an instance.
+    ///
+    /// # Safety
+    /// As for [`critreg_region::ground`].
+    pub(crate) unsafe fn instance<'a>(&self, instance: *const f64) -> Fallible<&'a [f64]> {
+        // SAFETY: by this function's contract.
+        unsafe { pointer::slice(instance, self.domain.instance_len(), "instance") }
     }
 }
 

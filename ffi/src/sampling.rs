@@ -143,9 +143,10 @@ pub unsafe extern "C" fn critreg_sample_region(
     unsafe {
         with_region(region, |handle| {
             let output = OutputArray::new(theta, "theta")?;
-            let grounded = handle.ground(instance)?;
-            let drawn: Theta = with_rng(rng, |rng| grounded.sample(rng))??;
-            let count = handle.domain.parameters().len();
+            let (region, domain) = (&handle.region, handle.domain);
+            let instance = handle.instance(instance)?;
+            let drawn: Theta = with_rng(rng, |rng| region.sample::<f64>(domain, instance, rng))??;
+            let count = domain.parameters().len();
             output.write(drawn.get(..count).unwrap_or(&[]));
             Ok(())
         })

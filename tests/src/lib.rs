@@ -1,5 +1,6 @@
 //! What the tests, benchmarks and reports of critreg share.
 pub mod arm;
+pub mod by_hand;
 pub mod data;
 pub mod pick;
 pub mod report;

@@ -39,6 +39,11 @@ fn wrong_regions() {
 }
 
 #[test]
+fn groups_of_any_number() {
+    passes("groups", &["groups.c"]);
+}
+
+#[test]
 fn chains_noise_and_certificates() {
     passes("learning", &["learning.c"]);
 }

@@ -233,6 +233,24 @@ proptest! {
 }
 
 #[test]
+fn a_distance_that_touches_its_bound_admits_one_point() {
+    let text = "object post { x: length, y: length } parameter x in [0, 4]: length
+                point hand = world + (x, 0)";
+    let line = Domain::parse(text).unwrap();
+    for (region, instance) in [
+        ("dist_x(hand, post) <= 0", [1.0, 3.0]),
+        ("dist(hand, post) <= 0", [1.0, 0.0]),
+        ("dist(hand, post) <= 3", [1.0, 3.0]),
+    ] {
+        let region = Region::parse(&line, region).unwrap();
+        let grounded = region.ground::<f64>(&line, &instance).unwrap();
+        let set = grounded.intervals().unwrap();
+        let ends: Vec<_> = set.intervals().iter().map(|i| [i.low, i.high]).collect();
+        assert_eq!(ends, [[1.0, 1.0]], "{}", write(&line, &region));
+    }
+}
+
+#[test]
 fn sampling_is_uniform_over_pieces() {
     let domain = pick::domain();
     let text = "mu <= 0.2 or mu >= 0.7 and mu < 0.9";

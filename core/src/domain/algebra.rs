@@ -5,6 +5,7 @@
 //! curve has its roots in closed form and so gives exact intervals, and a range
 //! that misses zero proves that a whole box is outside.
 
+use super::group::Extreme;
 use crate::real::Real;
 
 /// What can be added, subtracted and multiplied.
@@ -21,10 +22,16 @@ pub trait Arithmetic<R: Real>: Copy {
     fn times(self, other: Self) -> Self;
 }
 
+/// What features are computed in.
+pub trait Measure<R: Real>: Arithmetic<R> {
+    /// The extreme of two quantities, everywhere.
+    fn extreme(self, extreme: Extreme, other: Self) -> Self;
+}
+
 /// What parameters and positions are computed in.
 pub trait Algebra<R: Real>: Arithmetic<R> {
     /// What features are computed in; it also holds lengths of vectors.
-    type Measure: Arithmetic<R>;
+    type Measure: Measure<R>;
     /// The same quantity as a feature.
     fn measure(self) -> Self::Measure;
     /// The length of a vector.
@@ -48,6 +55,12 @@ impl<R: Real> Arithmetic<R> for R {
     }
     fn times(self, other: R) -> R {
         self * other
+    }
+}
+
+impl<R: Real> Measure<R> for R {
+    fn extreme(self, extreme: Extreme, other: R) -> R {
+        extreme.of(self, other)
     }
 }
 
@@ -149,7 +162,8 @@ impl<R: Real> Algebra<R> for Line<R> {
 
 /// `line(t) + factor * |vector(t)|`: what the features of the grammar become
 /// along a line of parameters, unless they hold two lengths of vectors, a product
-/// of two parameters or a turn by a parameter; those are unknown.
+/// of two parameters, a turn by a parameter or an extreme of what varies; those
+/// are unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve<R> {
     /// The straight part.
@@ -161,10 +175,16 @@ pub struct Curve<R> {
 }
 
 impl<R: Real> Curve<R> {
-    /// Whether its value along the line is known.
+    /// Whether its value along the line is known. It may be infinite everywhere, as
+    /// an extreme over nothing is.
     pub fn is_known(&self) -> bool {
         let mut vector = self.vector.iter().map(|v| v.at + v.slope);
-        (self.line.at + self.line.slope + self.factor).is_finite() && vector.all(Real::is_finite)
+        (self.line.slope + self.factor).is_finite() && vector.all(Real::is_finite)
+    }
+
+    /// Whether its value along the line is known, and a number everywhere.
+    pub fn is_finite(&self) -> bool {
+        self.line.at.is_finite() && self.is_known()
     }
 
     /// The value at `t`.
@@ -227,9 +247,19 @@ impl<R: Real> Arithmetic<R> for Curve<R> {
     }
     fn times(self, other: Self) -> Self {
         match (self.as_constant(), other.as_constant()) {
-            (_, Some(factor)) => self.scaled(factor),
+            (Some(a), Some(b)) => Self::constant(a * b),
+            (None, Some(factor)) => self.scaled(factor),
             (Some(factor), None) => other.scaled(factor),
             (None, None) => Self::unknown(),
+        }
+    }
+}
+
+impl<R: Real> Measure<R> for Curve<R> {
+    fn extreme(self, extreme: Extreme, other: Self) -> Self {
+        match (self.as_constant(), other.as_constant()) {
+            (Some(a), Some(b)) => Self::constant(extreme.of(a, b)),
+            _ => Self::unknown(),
         }
     }
 }
@@ -289,6 +319,15 @@ impl<R: Real> Arithmetic<R> for Range<R> {
         Range {
             low: a.min(b).min(c.min(d)),
             high: a.max(b).max(c.max(d)),
+        }
+    }
+}
+
+impl<R: Real> Measure<R> for Range<R> {
+    fn extreme(self, extreme: Extreme, other: Self) -> Self {
+        Range {
+            low: extreme.of(self.low, other.low),
+            high: extreme.of(self.high, other.high),
         }
     }
 }

@@ -15,7 +15,8 @@
 //! domain    = { statement } ;                                (* "#" starts a comment *)
 //! statement = type | object | constant | parameter | shape | point ;
 //! type      = "type" name attributes ;
-//! object    = "object" name ( attributes | { "," name } ":" name ) ;
+//! object    = "object" named ( attributes | { "," named } ":" name ) ;
+//! named     = name [ "[" number "]" ] ;                      (* a group of so many members *)
 //! attributes= "{" [ name ":" dimension { "," name ":" dimension } ] "}" ;
 //! dimension = "length" | "angle" | "area" | "flag" | "none" ;
 //! constant  = "constant" path "=" expr ":" dimension ;
@@ -28,7 +29,8 @@
 //! offset    = "(" expr "," expr [ "," expr ] ")" ;
 //! expr      = term { ( "+" | "-" ) term } ;
 //! term      = factor { "*" factor } ;
-//! factor    = number | "pi" | path | "-" factor | "(" expr ")" | call ;
+//! factor    = number | "pi" | path | "-" factor | "(" expr ")" | call | extreme ;
+//! extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over the members of a group *)
 //! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" ) "(" path "," path ")"
 //!           | "area" "(" name ")" ;
 //! path      = name { "." name } ;
@@ -40,6 +42,37 @@
 //! `right`, `bottom`, `top` and, for rectangles, `centre` (thesis 4.2).
 //! Offsets, turns and sizes are made of numbers, constants, attributes and
 //! parameters; a point that depends on a parameter is a sample point.
+//!
+//! # Groups
+//!
+//! `object obstacle[6]: block` is a group: any number of blocks up to six. An
+//! instance has the numbers of all six; a member that is absent has NaN for each of
+//! its numbers. A shape or point of a group is one of each member, and its offset may
+//! name the attributes of that member. What is said of a group is the least or the
+//! greatest value over the members that are there, which is how one says "for all":
+//!
+//! ```
+//! use critreg::{domain::Domain, region::Region};
+//! let domain = Domain::parse(
+//!     "object obstacle[3] { x: length, y: length }
+//!      parameter reach in [0, 4]: length
+//!      point hand = world + (reach, 0)",
+//! )?;
+//! let region = Region::parse(&domain, "min(dist(hand, obstacle)) >= 0.5")?;
+//! const NO: f64 = f64::NAN;
+//! let ends = |instance: &[f64]| -> Result<Vec<[f64; 2]>, critreg::Error> {
+//!     let grounded = region.ground::<f64>(&domain, instance)?;
+//!     let intervals = grounded.intervals()?.intervals();
+//!     Ok(intervals.iter().map(|i| [i.low, i.high]).collect())
+//! };
+//! assert_eq!(ends(&[1.0, 0.0, 3.0, 0.0, NO, NO])?, [[0.0, 0.5], [1.5, 2.5], [3.5, 4.0]]);
+//! assert_eq!(ends(&[NO, NO, 3.0, 0.0, NO, NO])?, [[0.0, 2.5], [3.5, 4.0]]);
+//! assert_eq!(ends(&[NO; 6])?, [[0.0, 4.0]]);
+//! # Ok::<(), critreg::Error>(())
+//! ```
+//!
+//! Over no members the least value is infinite and the greatest minus infinite, so
+//! that "at least" and "at most" hold of nothing.
 
 mod abstraction;
 mod algebra;
@@ -49,7 +82,9 @@ mod description;
 mod dimension;
 mod environment;
 mod expression;
+mod group;
 mod operator;
+mod point_set;
 mod scene;
 mod schema;
 mod state;
@@ -60,7 +95,7 @@ pub(crate) use description::CHECKSUM;
 pub(crate) use expression::{copy, intern};
 
 pub use abstraction::{AtomSet, Atoms, MAX_ATOMS};
-pub use algebra::{Algebra, Arithmetic, Curve, Line, Range};
+pub use algebra::{Algebra, Arithmetic, Curve, Line, Measure, Range};
 pub use atom::{
     Arguments, GroundAtom, Groundings, LiftedAtom, MAX_ARGUMENTS, Predicate, PredicateId,
 };
@@ -70,8 +105,10 @@ pub use controller::{
 pub use dimension::Dimension;
 pub use environment::{Environment, Failure};
 pub use expression::{Coordinate, Dependence, MAX_DEPTH, Metric, Node, NodeId};
+pub use group::{Extreme, Group, MAX_GROUPS, Member, Relation};
 pub use operator::{GroundOperator, Operator, OperatorId, ground_operators};
-pub use scene::{MAX_SAMPLE_POINTS, PointSet, Sample, Scene};
+pub use point_set::PointSet;
+pub use scene::{MAX_SAMPLE_POINTS, Sample, Scene};
 pub use schema::{
     Attribute, Base, Constant, Domain, MAX_ATTRIBUTES, MAX_CONSTANTS, MAX_DOMAIN_NODES,
     MAX_OBJECTS, MAX_PARAMETERS, MAX_POINTS, MAX_SHAPES, MAX_TYPES, Object, Parameter, Point,

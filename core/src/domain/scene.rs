@@ -2,8 +2,10 @@
 //! parameters make a [`Sample`] of it. What an instance settles (the poses of
 //! objects and key points, and all their sines and cosines) is computed once.
 
-use super::algebra::{Algebra, Arithmetic};
+use super::algebra::{Algebra, Arithmetic, Measure};
 use super::expression::{Coordinate, Metric, Node, NodeId, node_at};
+use super::group::{Extreme, Relation};
+use super::point_set::PointSet;
 use super::schema::{Base, Domain, MAX_POINTS, Point, Shape};
 use crate::error::Error;
 use crate::geometry::Frame3;
@@ -12,81 +14,6 @@ use heapless::Vec;
 
 /// Most points of a domain that depend on a parameter.
 pub const MAX_SAMPLE_POINTS: usize = 6;
-
-/// A set of points of a domain, with the points they are placed in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct PointSet(u32);
-
-const _: () = assert!(MAX_POINTS <= 32, "a PointSet has a bit per point");
-
-impl PointSet {
-    /// All points of a domain.
-    pub fn all(domain: &Domain<'_>) -> PointSet {
-        (0u8..)
-            .zip(domain.points())
-            .fold(PointSet(0), |set, (i, _)| set.with(domain, i))
-    }
-
-    /// The points that a list of nodes speaks about.
-    pub fn of(domain: &Domain<'_>, nodes: &[Node]) -> PointSet {
-        nodes.iter().fold(PointSet(0), |set, node| match node {
-            Node::Coordinate(_, p) => set.with(domain, *p),
-            Node::Distance(_, a, b) | Node::Angle(a, b) => set.with(domain, *a).with(domain, *b),
-            _ => set,
-        })
-    }
-
-    /// A bit for each parameter that these points or a list of nodes depend on.
-    pub(crate) fn parameters(self, domain: &Domain<'_>, nodes: &[Node]) -> u32 {
-        let own = |nodes: &[Node]| {
-            nodes.iter().fold(0u32, |bits, node| match node {
-                Node::Parameter(p) => bits | 1u32.checked_shl(u32::from(*p)).unwrap_or(0),
-                _ => bits,
-            })
-        };
-        let points = self
-            .iter()
-            .filter_map(|p| domain.points().get(usize::from(p)));
-        let placed = points.flat_map(|p| p.turn.into_iter().chain(p.offset).flatten());
-        placed.fold(own(nodes), |bits, term| {
-            bits | domain.parameters_of(domain.nodes(), term)
-        })
-    }
-
-    fn with(mut self, domain: &Domain<'_>, point: u8) -> PointSet {
-        let mut next = Some(point);
-        while let Some(point) = next {
-            self.0 |= 1u32.checked_shl(u32::from(point)).unwrap_or(0);
-            next = match domain.points().get(usize::from(point)).map(|p| p.base) {
-                Some(Base::Point(base)) => Some(base),
-                _ => None,
-            };
-        }
-        self
-    }
-
-    /// The points of the set, ascending.
-    fn iter(self) -> impl Iterator<Item = u8> {
-        let mut left = self.0;
-        core::iter::from_fn(move || {
-            let next = left.trailing_zeros();
-            left &= left.wrapping_sub(1);
-            (next < u32::BITS).then_some(next as u8)
-        })
-    }
-
-    fn has(self, point: u8) -> bool {
-        self.0.checked_shr(u32::from(point)).unwrap_or(0) & 1 == 1
-    }
-
-    /// How many points of the set stand before `point`.
-    fn rank(self, point: u8) -> usize {
-        let below = 1u32
-            .checked_shl(u32::from(point))
-            .map_or(u32::MAX, |bit| bit - 1);
-        (self.0 & below).count_ones() as usize
-    }
-}
 
 /// Where a sample point is: its origin may vary with the parameters.
 #[derive(Clone, Copy, Debug)]
@@ -115,9 +42,9 @@ enum Turn {
 pub struct Scene<'a, R, const POINTS: usize = MAX_POINTS> {
     domain: &'a Domain<'a>,
     instance: &'a [f64],
-    fixed: PointSet,
+    points: PointSet,
+    /// Of the points that do not depend on the parameters.
     frames: Vec<Frame3<R>, POINTS>,
-    sampled: PointSet,
 }
 
 impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
@@ -131,42 +58,34 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
         instance: &'a [f64],
         points: PointSet,
     ) -> Result<Self, Error> {
-        let mut scene = Scene::without_points(domain, instance);
-        scene.add(points)?;
+        let mut scene = Scene::blank(domain, instance, points);
+        scene.settle()?;
         Ok(scene)
     }
 
-    /// As [`Scene::new`] for no points; [`Scene::add`] completes it in place, which
-    /// saves moving the frames.
-    pub(crate) fn without_points(domain: &'a Domain<'a>, instance: &'a [f64]) -> Self {
+    /// As [`Scene::new`], to be completed in place by [`Scene::settle`], which saves
+    /// moving the frames.
+    pub(crate) fn blank(domain: &'a Domain<'a>, instance: &'a [f64], points: PointSet) -> Self {
         Scene {
             domain,
             instance,
-            fixed: PointSet(0),
+            points,
             frames: Vec::new(),
-            sampled: PointSet(0),
         }
     }
 
-    pub(crate) fn add(&mut self, points: PointSet) -> Result<(), Error> {
+    pub(crate) fn settle(&mut self) -> Result<(), Error> {
         self.domain.check_instance(self.instance)?;
-        for index in points.iter() {
-            let Some(point) = self.domain.points().get(usize::from(index)) else {
-                continue;
-            };
-            let bit = 1u32.checked_shl(u32::from(index)).unwrap_or(0);
-            if point.sampled {
-                self.sampled.0 |= bit;
-                continue;
-            }
-            let frame = self.fixed_frame(point);
-            self.frames
-                .push(frame)
-                .map_err(|_| Error::CapacityExceeded("points of a region or domain"))?;
-            self.fixed.0 |= bit;
-        }
-        if self.sampled.0.count_ones() as usize > MAX_SAMPLE_POINTS {
+        if self.points.sampled.len() > MAX_SAMPLE_POINTS {
             return Err(Error::CapacityExceeded("points that depend on a parameter"));
+        }
+        for index in self.points.fixed.iter() {
+            if let Some(point) = self.domain.points().get(usize::from(index)) {
+                let frame = self.fixed_frame(point);
+                self.frames
+                    .push(frame)
+                    .map_err(|_| Error::CapacityExceeded("points of a region or domain"))?;
+            }
         }
         Ok(())
     }
@@ -179,7 +98,7 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
             placed: Vec::new(),
             frames: Vec::new(),
         };
-        for index in self.sampled.iter() {
+        for index in self.points.sampled.iter() {
             if let Some(point) = self.domain.points().get(usize::from(index)) {
                 let placed = sample.place(point);
                 // There is room: the scene counted the points.
@@ -216,7 +135,7 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
     }
 
     fn frame(&self, point: u8) -> Option<&Frame3<R>> {
-        self.frames.get(self.fixed.rank(point))
+        self.frames.get(self.points.fixed.rank(point))
     }
 
     /// The value of an offset or turn; these never speak about points.
@@ -233,6 +152,13 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
             Ok(leaf) => A::constant(self.settled(leaf)),
             Err(_) => A::unknown(),
         }
+    }
+
+    /// What a relation is for each member of its group that the instance has.
+    fn terms(&self, relation: Relation) -> impl Iterator<Item = Node> + '_ {
+        let members = self.domain.terms(relation);
+        let present = members.filter(|(member, _)| member.is_present(self.instance));
+        present.map(|(_, term)| term)
     }
 
     /// The value of a leaf that needs no sample and no pose.
@@ -281,6 +207,29 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
         }
     }
 
+    /// As [`Sample::measure`], with one member of a group in place of all where
+    /// `chosen` has one for an extreme: by its place among those the instance has.
+    pub(crate) fn measure_choosing(
+        &self,
+        nodes: &[Node],
+        id: NodeId,
+        chosen: &impl Fn(NodeId) -> Option<usize>,
+    ) -> A::Measure {
+        let term = match (node_at(nodes, id), chosen(id)) {
+            (Ok(Node::Extreme(_, relation)), Some(place)) => self.scene.terms(relation).nth(place),
+            (Ok(node), _) => Some(node),
+            (Err(_), _) => None,
+        };
+        term.map_or_else(A::Measure::unknown, |node| {
+            self.node(node, |id| self.measure_choosing(nodes, id, chosen))
+        })
+    }
+
+    /// How many members of its group the instance has for a relation.
+    pub(crate) fn member_count(&self, relation: Relation) -> usize {
+        self.scene.terms(relation).count()
+    }
+
     /// The value of a node whose operands are known.
     #[inline]
     pub fn node(&self, node: Node, operand: impl Fn(NodeId) -> A::Measure) -> A::Measure {
@@ -298,8 +247,16 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
             Node::Coordinate(coordinate, p) => self.coordinate(coordinate, p),
             Node::Distance(metric, a, b) => self.distance(metric, a, b),
             Node::Angle(a, b) => self.angle(a, b),
+            Node::Extreme(extreme, relation) => self.extreme(extreme, relation),
             settled => A::Measure::constant(self.scene.settled(settled)),
         }
+    }
+
+    fn extreme(&self, extreme: Extreme, relation: Relation) -> A::Measure {
+        let values = self.scene.terms(relation).map(|term| self.leaf(term));
+        values
+            .reduce(|a, b| a.extreme(extreme, b))
+            .unwrap_or_else(|| A::Measure::constant(extreme.of_nothing()))
     }
 
     fn coordinate(&self, coordinate: Coordinate, point: u8) -> A::Measure {
@@ -340,7 +297,7 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
 
     /// Where a sample point is; `None` for a point that is none.
     fn placed(&self, point: u8) -> Option<&Placed<A>> {
-        let sampled = self.scene.sampled;
+        let sampled = self.scene.points.sampled;
         sampled
             .has(point)
             .then(|| self.placed.get(sampled.rank(point)))?

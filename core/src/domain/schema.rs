@@ -2,6 +2,7 @@
 
 use super::dimension::Dimension;
 use super::expression::{Node, NodeId};
+use super::group::{Group, MAX_GROUPS, Member};
 use crate::error::Error;
 use heapless::Vec;
 
@@ -9,14 +10,15 @@ use heapless::Vec;
 pub const MAX_TYPES: usize = 16;
 /// Most attributes, counted once per type.
 pub const MAX_ATTRIBUTES: usize = 64;
-/// Most objects in a domain.
-pub const MAX_OBJECTS: usize = 24;
+/// Most objects in a domain, every member of a group counted.
+pub const MAX_OBJECTS: usize = 32;
 /// Most constants in a domain.
 pub const MAX_CONSTANTS: usize = 32;
 /// Most continuous parameters of an action.
 pub const MAX_PARAMETERS: usize = 6;
-/// Most points: placed objects, key points and sample points together.
-pub const MAX_POINTS: usize = 32;
+/// Most points: placed objects, key points and sample points together, those of
+/// every member of a group counted.
+pub const MAX_POINTS: usize = 64;
 /// Most shapes.
 pub const MAX_SHAPES: usize = 16;
 /// Most terms in the offsets, turns and sizes of all points and shapes together.
@@ -46,10 +48,12 @@ pub struct Attribute<'t> {
 /// A thing in the world; its attributes are read from the problem instance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object<'t> {
-    /// Its name.
+    /// Its name; that of its group if it is a member of one.
     pub name: &'t str,
     /// Index of its type.
     pub type_index: u8,
+    /// To which group it belongs.
+    pub member: Option<Member>,
     /// Index of its first attribute in an instance.
     pub first_slot: u8,
     pub(super) pose: PoseSlots,
@@ -107,6 +111,8 @@ pub struct Point<'t> {
     pub offset: [Option<NodeId>; 3],
     /// Whether it depends on a parameter.
     pub sampled: bool,
+    /// To which group it belongs, with the object it is placed in.
+    pub member: Option<Member>,
 }
 
 impl Point<'_> {
@@ -176,6 +182,7 @@ pub struct Domain<'t> {
     pub(super) types: Vec<Type<'t>, MAX_TYPES>,
     pub(super) attributes: Vec<Attribute<'t>, MAX_ATTRIBUTES>,
     pub(super) objects: Vec<Object<'t>, MAX_OBJECTS>,
+    pub(super) groups: Vec<Group, MAX_GROUPS>,
     pub(super) constants: Vec<Constant<'t>, MAX_CONSTANTS>,
     pub(super) parameters: Vec<Parameter<'t>, MAX_PARAMETERS>,
     pub(super) points: Vec<Point<'t>, MAX_POINTS>,
@@ -254,7 +261,8 @@ impl<'t> Domain<'t> {
             .flat_map(|o| self.attributes_of(o.type_index).iter().map(move |a| (o, a)))
     }
 
-    /// Checks that `instance` has one finite number per attribute.
+    /// Checks that `instance` has one finite number per attribute; or NaN for all
+    /// attributes of a member of a group, which then is absent.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a wrong length, [`Error::NotFinite`].
@@ -264,7 +272,26 @@ impl<'t> Domain<'t> {
                 "an instance needs one number per attribute of every object",
             ));
         }
-        all_finite(instance, "a number of an instance")
+        let finite = all_finite(instance, "a number of an instance");
+        if finite.is_ok() || self.groups.is_empty() {
+            return finite;
+        }
+        self.objects
+            .iter()
+            .try_for_each(|object| self.check_object(object, instance))
+    }
+
+    fn check_object(&self, object: &Object<'_>, instance: &[f64]) -> Result<(), Error> {
+        let first = usize::from(object.first_slot);
+        let count = self.attributes_of(object.type_index).len();
+        let own = instance.get(first..first + count).unwrap_or(&[]);
+        if object.member.is_some() && own.iter().all(|number| number.is_nan()) {
+            return Ok(());
+        }
+        all_finite(
+            own,
+            "a number of an instance that belongs to no absent member of a group",
+        )
     }
 
     /// Checks that `theta` has one finite number per parameter.
@@ -280,12 +307,13 @@ impl<'t> Domain<'t> {
         all_finite(theta, "a parameter")
     }
 
-    /// Index of the object with this name.
+    /// Index of the object with this name; of the first member if it is a group.
     pub fn find_object(&self, name: &str) -> Option<u8> {
         index_of(self.objects.iter().position(|o| o.name == name))
     }
 
-    /// Index of the point with this name, `owner` or `owner.part`.
+    /// Index of the point with this name, `owner` or `owner.part`; that of the
+    /// first member if each member of a group has one.
     pub fn find_point(&self, name: &str) -> Option<u8> {
         let (owner, part) = name.split_once('.').unwrap_or((name, ""));
         let found = |p: &Point<'_>| p.owner == owner && p.part == part;
@@ -302,7 +330,8 @@ impl<'t> Domain<'t> {
         index_of(self.parameters.iter().position(|p| p.name == name))
     }
 
-    /// Index in an instance of the attribute `object.attribute`.
+    /// Index in an instance of the attribute `object.attribute`; that of the first
+    /// member if it is a group.
     pub fn find_slot(&self, name: &str) -> Option<u8> {
         let (owner, attribute) = name.split_once('.')?;
         let found = self

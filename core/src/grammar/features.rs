@@ -7,12 +7,19 @@
 //! | 3 | sums and differences of two features of complexity 1, those of constants first; scaled distances, angles and areas |
 //! | 4 | sums and differences of a feature of complexity 1 and one of complexity 2 |
 //!
+//! Of a group of objects no single member is spoken of, but the least and the
+//! greatest value over its members, as simple as the value itself. Members of groups
+//! are not compared with each other. Over no members such a feature is infinite, and
+//! what is made of two of them may be NaN: no comparison holds for that.
+//!
 //! Features that depend on the sample are *left* sides of hypotheses, the others
 //! *right* sides. Scaled and summed left sides are left out: scaling a right side
 //! says the same.
 
 use super::hypotheses::feature_id;
-use crate::domain::{Coordinate, Dimension, Domain, Metric, Node, NodeId, Sample, Scene};
+use crate::domain::{
+    Coordinate, Dimension, Domain, Extreme, Metric, Node, NodeId, Relation, Sample, Scene,
+};
 use crate::error::Error;
 use crate::real::Real;
 use crate::table::Table;
@@ -105,7 +112,8 @@ impl<'m, R: Real> Features<'m, R> {
         self.nodes.as_slice()
     }
 
-    /// The values at the sample of the last evaluation, one per feature.
+    /// The values at the sample of the last evaluation, one per feature; infinite or
+    /// NaN for some of those about a group without members in the instance.
     pub fn values(&self) -> &[R] {
         self.values.get(..self.nodes.len()).unwrap_or(&[])
     }
@@ -186,9 +194,10 @@ impl<'m, R: Real> Features<'m, R> {
         let constants = constants.filter(|(_, c)| c.dimension == dimension);
         let slots = (0u8..).zip(domain.slots());
         let slots = slots.filter(|(_, (_, attribute))| attribute.dimension == dimension);
+        let attributes = slots.flat_map(|(i, _)| said(domain, Node::Attribute(i)));
         let nodes = constants
             .map(|(i, _)| Node::Constant(i))
-            .chain(slots.map(|(i, _)| Node::Attribute(i)))
+            .chain(attributes)
             .chain(coordinates(domain, dimension, false))
             .chain(numbers);
         self.append(nodes, usize::MAX)
@@ -317,6 +326,22 @@ fn proper(block: Block, dimension: Dimension) -> u64 {
     block.enumerated.saturating_sub(numbers)
 }
 
+/// How the grammar says a term: as it is, or, if it is about a group, as the extremes
+/// over it. The first member stands for all.
+fn said(domain: &Domain<'_>, term: Node) -> impl Iterator<Item = Node> + use<> {
+    let (plain, quantified) = match domain.members_in(term) {
+        [None, None] => (Some(term), None),
+        [Some(member), None] | [None, Some(member)] if member.index == 0 => {
+            (None, Relation::of(term))
+        }
+        _ => (None, None),
+    };
+    let extremes = quantified
+        .into_iter()
+        .flat_map(|relation| Extreme::ALL.map(|extreme| Node::Extreme(extreme, relation)));
+    plain.into_iter().chain(extremes)
+}
+
 /// The coordinates of sample points, or of key points. Those of an object are
 /// its attributes.
 fn coordinates<'d>(
@@ -336,7 +361,7 @@ fn coordinates<'d>(
     own.flat_map(move |(index, point)| {
         let axes = axes.iter().copied();
         let turning = axes.filter(|axis| *axis != Coordinate::Theta || point.turn != [None; 3]);
-        turning.map(move |axis| Node::Coordinate(axis, index))
+        turning.flat_map(move |axis| said(domain, Node::Coordinate(axis, index)))
     })
 }
 
@@ -379,5 +404,6 @@ fn relations<'d>(
         let turned = angles && first.has_heading() && second.has_heading();
         distances.chain(turned.then_some(Node::Angle(a, b)))
     });
-    nodes.chain((0u8..).take(shapes).map(Node::Area))
+    let said = nodes.flat_map(|term| said(domain, term));
+    said.chain((0u8..).take(shapes).map(Node::Area))
 }

@@ -33,9 +33,9 @@ impl<'p> Problem<'p> {
                 "the instances need one number per attribute of every object",
             ));
         }
-        if !instances.iter().all(|x| x.is_finite()) {
-            return Err(Error::NotFinite("a number of an instance"));
-        }
+        instances
+            .chunks_exact(domain.instance_len().max(1))
+            .try_for_each(|instance| domain.check_instance(instance))?;
         let mut digest = CHECKSUM.digest();
         digest.update(&domain.fingerprint().to_le_bytes());
         for value in instances {

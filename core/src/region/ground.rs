@@ -1,12 +1,12 @@
 //! A region in one problem instance.
 
-use super::interval::{Builder, IntervalSet, MAX_BREAKS};
+use super::interval::IntervalSet;
+use super::slice::slice;
 use super::{Region, Theta};
-use crate::domain::{Arithmetic, Curve, Domain, Line, MAX_PARAMETERS, Parameter, Range, Scene};
+use crate::domain::{Arithmetic, Domain, MAX_PARAMETERS, Parameter, Range, Scene};
 use crate::error::Error;
-use crate::grammar::{Comparison, MAX_CONSTRAINTS, Truth};
+use crate::grammar::{Comparison, Truth};
 use crate::real::Real;
-use heapless::Vec;
 
 /// The set of parameters that a region admits in one instance.
 #[derive(Clone, Debug)]
@@ -19,8 +19,8 @@ pub struct Grounded<'a, R> {
 }
 
 /// Most points that the constraints of a region refer to, with the points these
-/// are placed in.
-pub const MAX_REGION_POINTS: usize = 12;
+/// are placed in, those of every member of a group counted.
+pub const MAX_REGION_POINTS: usize = 32;
 
 /// A vector in the space of parameters.
 pub(super) type Vector<R> = [R; MAX_PARAMETERS];
@@ -41,7 +41,7 @@ impl<'a, R: Real> Grounded<'a, R> {
         Grounded {
             region,
             domain,
-            scene: Scene::without_points(domain, instance),
+            scene: Scene::blank(domain, instance, region.points),
             set: IntervalSet::default(),
         }
     }
@@ -50,7 +50,7 @@ impl<'a, R: Real> Grounded<'a, R> {
         if self.domain.fingerprint() != self.region.fingerprint {
             return Err(Error::Mismatch("the region belongs to another domain text"));
         }
-        self.scene.add(self.region.points)?;
+        self.scene.settle()?;
         let [parameter] = self.parameters() else {
             return Ok(());
         };
@@ -163,51 +163,6 @@ impl<'a, R: Real> Grounded<'a, R> {
     }
 }
 
-/// Sets `set` to the admitted positions `t` between two ends on the line
-/// `origin + t * direction`.
-///
-/// The line is cut at the roots of the constraints; between two neighbouring
-/// ones nothing changes. At a root its own constraint holds if it admits
-/// equality.
-fn slice<R: Real>(
-    region: &Region,
-    scene: &Scene<'_, R, MAX_REGION_POINTS>,
-    [origin, direction]: [&Vector<R>; 2],
-    [low, high]: [R; 2],
-    set: &mut IntervalSet<R>,
-) -> Result<(), Error> {
-    let mut theta = [Line::constant(R::ZERO); MAX_PARAMETERS];
-    for ((line, at), slope) in theta.iter_mut().zip(origin).zip(direction) {
-        *line = Line {
-            at: *at,
-            slope: *slope,
-        };
-    }
-    let sample = scene.sample::<Line<R>>(&theta);
-    let formula = &region.formula;
-    let mut cut = Cut::new(low, high)?;
-    for (index, constraint) in formula.constraints().iter().enumerate() {
-        let left = sample.measure(formula.nodes(), constraint.left);
-        let curve = left.minus(sample.measure(formula.nodes(), constraint.right));
-        cut.add(index, &curve, constraint.comparison)?;
-    }
-    let unknown = cut.first.hold & cut.first.fail;
-    let mut builder = Builder::new(set, unknown == 0);
-    // Most regions are conjunctions: all bits set is all there is to know.
-    let all = formula.conjunction();
-    let truth = |masks: Masks| match all {
-        Some(all) => masks.hold == all,
-        None => formula.truth_of_masks(masks.hold, masks.fail).may_hold,
-    };
-    let mut masks = cut.first;
-    for own in &cut.breaks {
-        let here = truth(masks.with(own.owners, cut.admit_equal));
-        masks = masks.with(own.owners, own.then_hold);
-        builder.step(own.at, here, own.at < high && truth(masks))?;
-    }
-    Ok(())
-}
-
 /// The vector of the only parameter.
 pub(super) fn single<R: Real>(value: R) -> Vector<R> {
     let mut vector = [R::ZERO; MAX_PARAMETERS];
@@ -221,136 +176,11 @@ pub(super) fn to_theta<R: Real>(theta: &Vector<R>) -> Theta {
     theta.map(R::to_f64)
 }
 
-/// A root of constraints, or an end of the line.
-#[derive(Clone, Copy)]
-struct Break<R> {
-    at: R,
-    /// A bit for each constraint that has a root here.
-    owners: u32,
-    /// Those of them that hold behind it.
-    then_hold: u32,
-}
-
-/// Which constraints may hold and which may fail, a bit each.
-#[derive(Clone, Copy, Default)]
-struct Masks {
-    hold: u32,
-    fail: u32,
-}
-
-impl Masks {
-    /// Where `which` hold or fail as `holding` says.
-    fn with(self, which: u32, holding: u32) -> Masks {
-        Masks {
-            hold: (self.hold & !which) | (which & holding),
-            fail: (self.fail & !which) | (which & !holding),
-        }
-    }
-}
-
-const _: () = assert!(MAX_CONSTRAINTS <= 32, "masks have a bit per constraint");
-
-/// A line cut at the roots of constraints.
-struct Cut<R> {
-    /// What holds before the first root.
-    first: Masks,
-    /// Constraints that hold where their two sides are equal.
-    admit_equal: u32,
-    /// The ends of the line and the roots between them, ascending.
-    breaks: Vec<Break<R>, MAX_BREAKS>,
-}
-
-impl<R: Real> Cut<R> {
-    fn new(low: R, high: R) -> Result<Self, Error> {
-        let mut cut = Cut {
-            first: Masks::default(),
-            admit_equal: 0,
-            breaks: Vec::new(),
-        };
-        for at in [low, high] {
-            cut.insert(Break {
-                at,
-                owners: 0,
-                then_hold: 0,
-            })?;
-        }
-        Ok(cut)
-    }
-
-    /// Cuts at the roots of a constraint, and evaluates it once between them.
-    fn add(&mut self, index: usize, curve: &Curve<R>, comparison: Comparison) -> Result<(), Error> {
-        let bit = 1u32.checked_shl(index as u32).unwrap_or(0);
-        if !curve.is_known() {
-            self.first.hold |= bit;
-            self.first.fail |= bit;
-            return Ok(());
-        }
-        if comparison.admits_equal() {
-            self.admit_equal |= bit;
-        }
-        let (Some(low), Some(high)) = (
-            self.breaks.first().map(|b| b.at),
-            self.breaks.last().map(|b| b.at),
-        ) else {
-            return Ok(());
-        };
-        let half = R::from_f64(0.5);
-        let holds_between = |a: R, b: R| {
-            let value = curve.value(a + (b - a) * half);
-            if comparison.holds(&value, &R::ZERO) {
-                bit
-            } else {
-                0
-            }
-        };
-        let inside = |t: &R| low <= *t && *t <= high && curve.is_near_zero(*t);
-        let [a, b] = roots(curve).map(|root| root.filter(inside));
-        let ordered = match (a, b) {
-            (Some(a), Some(b)) if b < a => [Some(b), Some(a)],
-            (None, b) => [b, None],
-            both => both.into(),
-        };
-        let [first, second] = ordered;
-        self.first = self
-            .first
-            .with(bit, holds_between(low, first.unwrap_or(high)));
-        let ends = [second.unwrap_or(high), high];
-        for (root, end) in ordered.into_iter().zip(ends) {
-            if let Some(at) = root {
-                self.insert(Break {
-                    at,
-                    owners: bit,
-                    then_hold: holds_between(at, end),
-                })?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Sorted insertion; breaks at one place become one.
-    fn insert(&mut self, new: Break<R>) -> Result<(), Error> {
-        let mut carried = new;
-        for slot in &mut self.breaks {
-            if carried.at == slot.at {
-                slot.owners |= carried.owners;
-                slot.then_hold |= carried.then_hold;
-                return Ok(());
-            }
-            if carried.at < slot.at {
-                core::mem::swap(slot, &mut carried);
-            }
-        }
-        self.breaks
-            .push(carried)
-            .map_err(|_| Error::CapacityExceeded("intervals of a region"))
-    }
-}
-
 /// Whether `gap comparison 0` over a range, leaving room for rounding.
 fn range_truth<R: Real>(comparison: Comparison, gap: Range<R>) -> Truth {
     let slack = R::EPSILON * R::from_f64(64.0);
-    let above = gap.low - slack * (R::ONE + gap.low.abs()) > R::ZERO;
-    let below = gap.high + slack * (R::ONE + gap.high.abs()) < R::ZERO;
+    let above = gap.low * (R::ONE - slack) > slack;
+    let below = gap.high * (R::ONE - slack) < -slack;
     let (fails, holds) = if comparison.is_upper() {
         (above, below)
     } else {
@@ -360,57 +190,4 @@ fn range_truth<R: Real>(comparison: Comparison, gap: Range<R>) -> Truth {
         may_hold: !fails,
         may_fail: !holds,
     }
-}
-
-/// Where a curve may be zero: `line(t) = -factor * |vector(t)|`. A root of the
-/// squared equation need not be one of the curve.
-fn roots<R: Real>(curve: &Curve<R>) -> [Option<R>; 2] {
-    if !curve.is_known() {
-        return [None, None];
-    }
-    let Line { at: a, slope: b } = curve.line;
-    if curve.factor == R::ZERO {
-        return [linear_root(a, b), None];
-    }
-    let factor = curve.factor;
-    let zero = |v: &Line<R>| v.at == R::ZERO && v.slope == R::ZERO;
-    let [x, y, z] = curve.vector;
-    let single = match (zero(&x), zero(&y), zero(&z)) {
-        (_, true, true) => Some(x),
-        (true, _, true) => Some(y),
-        (true, true, _) => Some(z),
-        _ => None,
-    };
-    if let Some(v) = single {
-        let (at, slope) = (factor * v.at, factor * v.slope);
-        return [
-            linear_root(a + at, b + slope),
-            linear_root(a - at, b - slope),
-        ];
-    }
-    let square = |f: fn(&Line<R>) -> R, g: fn(&Line<R>) -> R| {
-        let products = curve.vector.iter().map(|v| f(v) * g(v));
-        factor * factor * products.fold(R::ZERO, |sum, p| sum + p)
-    };
-    quadratic_roots(
-        square(|v| v.slope, |v| v.slope) - b * b,
-        square(|v| v.at, |v| v.slope) - a * b,
-        square(|v| v.at, |v| v.at) - a * a,
-    )
-}
-
-/// The root of `at + slope * t`.
-fn linear_root<R: Real>(at: R, slope: R) -> Option<R> {
-    Some(-at / slope).filter(|t| t.is_finite())
-}
-
-/// The roots of `a t^2 + 2 b t + c`, without cancellation.
-fn quadratic_roots<R: Real>(a: R, b: R, c: R) -> [Option<R>; 2] {
-    let discriminant = b * b - a * c;
-    if discriminant < R::ZERO {
-        return [None, None];
-    }
-    let root = discriminant.sqrt();
-    let q = if b < R::ZERO { root - b } else { -(b + root) };
-    [q / a, c / q].map(|t| Some(t).filter(|t| t.is_finite()))
 }

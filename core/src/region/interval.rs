@@ -5,8 +5,9 @@ use crate::grammar::MAX_CONSTRAINTS;
 use crate::real::Real;
 use heapless::Vec;
 
-/// Most ends that the constraints of a region can have along a line: two each,
-/// and the two ends of the line.
+/// Most ends that the constraints of a region can have along a line: two each on
+/// average, and the two ends of the line. One that speaks of a group can have more,
+/// two for each member; if all do, there may be no room.
 pub(super) const MAX_BREAKS: usize = 2 * MAX_CONSTRAINTS + 2;
 
 /// All numbers between two ends.

@@ -9,9 +9,11 @@
 
 mod boxes;
 mod bytes;
+mod gaps;
 mod ground;
 mod interval;
 mod sample;
+mod slice;
 
 pub use bytes::SavedRegion;
 pub use ground::{Grounded, MAX_REGION_POINTS};
@@ -113,7 +115,9 @@ impl Region {
         instance: &[f64],
         theta: &[f64],
     ) -> Result<bool, Error> {
-        self.ground::<R>(domain, instance)?.contains(theta)
+        let mut grounded = Grounded::<R>::blank(self, domain, instance);
+        grounded.settle()?;
+        grounded.contains(theta)
     }
 
     /// Draws parameters uniformly from the region in an instance.

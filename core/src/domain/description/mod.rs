@@ -1,10 +1,11 @@
 //! Reads the domain text; its grammar stands at the head of the parent module.
 
+mod objects;
 mod places;
 
 use super::dimension::Dimension;
 use super::expression::{Node, NodeId};
-use super::schema::{Attribute, Base, Constant, Domain, Object, Parameter, PoseSlots, Type};
+use super::schema::{Attribute, Constant, Domain, Parameter, Type};
 use crate::error::Error;
 use crate::text::Lexer;
 use heapless::Vec;
@@ -12,7 +13,7 @@ use heapless::Vec;
 /// Checksum that tells domain texts and saved bytes apart.
 pub(crate) const CHECKSUM: crc::Crc<u32> = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
 
-const KEYWORDS: [&str; 20] = [
+const KEYWORDS: [&str; 22] = [
     "type",
     "object",
     "constant",
@@ -33,6 +34,8 @@ const KEYWORDS: [&str; 20] = [
     "dist_z",
     "angle",
     "area",
+    "min",
+    "max",
 ];
 
 impl<'t> Domain<'t> {
@@ -60,6 +63,7 @@ impl<'t> Domain<'t> {
                 types: Vec::new(),
                 attributes: Vec::new(),
                 objects: Vec::new(),
+                groups: Vec::new(),
                 constants: Vec::new(),
                 parameters: Vec::new(),
                 points: Vec::new(),
@@ -70,6 +74,7 @@ impl<'t> Domain<'t> {
                 fingerprint: CHECKSUM.checksum(text.as_bytes()),
             },
             lexer: Lexer::new(text),
+            own: None,
         };
         parser.statements()?;
         Ok(parser.domain)
@@ -79,6 +84,8 @@ impl<'t> Domain<'t> {
 struct DomainParser<'t> {
     domain: Domain<'t>,
     lexer: Lexer<'t>,
+    /// The group whose members get the point that is being read.
+    own: Option<u8>,
 }
 
 impl<'t> DomainParser<'t> {
@@ -156,60 +163,6 @@ impl<'t> DomainParser<'t> {
         Ok(index)
     }
 
-    fn object_statement(&mut self) -> Result<(), Error> {
-        let mut names: Vec<&'t str, { super::schema::MAX_OBJECTS }> = Vec::new();
-        loop {
-            let name = self.new_name("expected the name of the object", false)?;
-            if names.contains(&name) {
-                return Err(self.lexer.error("this object was just declared"));
-            }
-            names
-                .push(name)
-                .map_err(|_| Error::CapacityExceeded("objects of a domain"))?;
-            if !self.lexer.accept(",") {
-                break;
-            }
-        }
-        let type_index = if self.lexer.accept(":") {
-            let at = self.lexer.clone();
-            let kind = self.lexer.expect_name("expected the name of a type")?;
-            let found = self.domain.types.iter().position(|t| t.name == kind);
-            small(found.ok_or_else(|| at.error("unknown type"))?)?
-        } else {
-            match names.as_slice() {
-                [name] => self.attributes(name)?,
-                _ => {
-                    return Err(self
-                        .lexer
-                        .error("expected `:` and the type of these objects"));
-                }
-            }
-        };
-        names
-            .iter()
-            .try_for_each(|name| self.object(name, type_index))
-    }
-
-    fn object(&mut self, name: &'t str, type_index: u8) -> Result<(), Error> {
-        let count = self.domain.attributes_of(type_index).len();
-        let index = small(self.domain.objects.len())?;
-        let object = Object {
-            name,
-            type_index,
-            first_slot: self.domain.slots,
-            pose: PoseSlots::find(self.domain.attributes_of(type_index), self.domain.slots),
-        };
-        self.domain.slots = small(usize::from(self.domain.slots) + count)?;
-        self.domain
-            .objects
-            .push(object)
-            .map_err(|_| Error::CapacityExceeded("objects of a domain"))?;
-        if let [Some(_), Some(_), _] = self.domain.pose_slots(index).position {
-            self.point(name, "", Base::Object(index), [None; 3], [None; 3])?;
-        }
-        Ok(())
-    }
-
     fn constant_statement(&mut self) -> Result<(), Error> {
         let name = self.new_name("expected the name of the constant", true)?;
         self.lexer.expect("=", "expected `=` and a value")?;
@@ -285,15 +238,22 @@ impl<'t> DomainParser<'t> {
     fn expression(&mut self) -> Result<NodeId, Error> {
         let at = self.lexer.clone();
         let mut nodes = self.domain.nodes.clone();
-        let id = self.domain.parse_expression(&mut self.lexer, &mut nodes)?;
-        let placed = |n: &Node| {
-            matches!(
+        let mut parser = self.domain.parser(&mut nodes, self.own);
+        let id = parser.expression(&mut self.lexer)?;
+        let simple = |n: &Node| {
+            !matches!(
                 n,
-                Node::Coordinate(..) | Node::Distance(..) | Node::Angle(..) | Node::Area(_)
+                Node::Coordinate(..)
+                    | Node::Distance(..)
+                    | Node::Angle(..)
+                    | Node::Area(_)
+                    | Node::Extreme(..)
             )
         };
-        if nodes.iter().any(placed) {
-            return Err(at.error("offsets, sizes and values cannot refer to points or areas"));
+        if !nodes.iter().all(simple) {
+            return Err(
+                at.error("offsets, sizes and values cannot refer to points, areas, min or max")
+            );
         }
         self.domain.nodes = nodes;
         Ok(id)

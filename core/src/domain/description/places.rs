@@ -1,7 +1,8 @@
 //! Statements that place things: shapes and points.
 
 use super::DomainParser;
-use crate::domain::{Base, Dependence, Dimension, Node, NodeId, Point, Shape, intern};
+use crate::domain::expression::node_at;
+use crate::domain::{Base, Dependence, Dimension, Member, Node, NodeId, Point, Shape, intern};
 use crate::error::Error;
 use crate::text::Lexer;
 
@@ -119,7 +120,9 @@ impl<'t> DomainParser<'t> {
         let (owner, part) = name.split_once('.').unwrap_or((name, ""));
         self.lexer
             .expect("=", "expected `=` and what the point is placed in")?;
+        let frame = self.lexer.clone();
         let base = self.frame()?;
+        self.own = self.member(base).map(|first| first.group);
         let turn = if self.lexer.accept("turned") {
             self.turn()?
         } else {
@@ -130,6 +133,11 @@ impl<'t> DomainParser<'t> {
         } else {
             [None; 3]
         };
+        if self.own.take().is_some() && self.is_sampled(base, turn, offset) {
+            return Err(
+                frame.error("a point that moves with a parameter cannot be placed in a group")
+            );
+        }
         self.point(owner, part, base, turn, offset)
     }
 
@@ -188,7 +196,8 @@ impl<'t> DomainParser<'t> {
     fn factor(&mut self, dimension: Dimension) -> Result<Option<NodeId>, Error> {
         let at = self.lexer.clone();
         let mut nodes = self.domain.nodes.clone();
-        let id = self.domain.parse_factor(&mut self.lexer, &mut nodes)?;
+        let mut parser = self.domain.parser(&mut nodes, self.own);
+        let id = parser.single(&mut self.lexer)?;
         self.domain.nodes = nodes;
         self.checked_component(&at, id, dimension)
     }
@@ -215,6 +224,8 @@ impl<'t> DomainParser<'t> {
         }
     }
 
+    /// Declares a point, or one of each member of a group if the base is one of its
+    /// first member.
     pub(super) fn point(
         &mut self,
         owner: &'t str,
@@ -227,30 +238,75 @@ impl<'t> DomainParser<'t> {
         if self.domain.points.iter().any(taken) {
             return Err(self.lexer.error("this point is declared already"));
         }
-        let moved = turn
-            .iter()
-            .chain(&offset)
-            .flatten()
-            .any(|id| self.domain.dependence(&self.domain.nodes, *id) == Dependence::Sample);
-        let sampled_base = match base {
-            Base::Point(p) => self
-                .domain
+        let first = self.member(base);
+        let count = first.map_or(1, |m| self.domain.members(m.group).len());
+        for index in (0u8..).take(count) {
+            let point = Point {
+                owner,
+                part,
+                base: match base {
+                    Base::World => Base::World,
+                    Base::Object(object) => Base::Object(object.saturating_add(index)),
+                    Base::Point(point) => Base::Point(point.saturating_add(index)),
+                },
+                turn: self.components_of_member(turn, index)?,
+                offset: self.components_of_member(offset, index)?,
+                sampled: self.is_sampled(base, turn, offset),
+                member: first.map(|m| Member { index, ..m }),
+            };
+            self.domain
                 .points
-                .get(usize::from(p))
-                .is_some_and(|p| p.sampled),
-            Base::World | Base::Object(_) => false,
+                .push(point)
+                .map_err(|_| Error::CapacityExceeded("points of a domain"))?;
+        }
+        Ok(())
+    }
+
+    /// To which group a frame belongs.
+    fn member(&self, base: Base) -> Option<Member> {
+        match base {
+            Base::World => None,
+            Base::Object(object) => self.domain.objects.get(usize::from(object))?.member,
+            Base::Point(point) => self.domain.points.get(usize::from(point))?.member,
+        }
+    }
+
+    /// Whether a point depends on a parameter.
+    fn is_sampled(
+        &self,
+        base: Base,
+        turn: [Option<NodeId>; 3],
+        offset: [Option<NodeId>; 3],
+    ) -> bool {
+        let depends = |id| self.domain.dependence(&self.domain.nodes, id) == Dependence::Sample;
+        let on_base = match base {
+            Base::Point(p) => self.domain.points.get(usize::from(p)),
+            Base::World | Base::Object(_) => None,
         };
-        let point = Point {
-            owner,
-            part,
-            base,
-            turn,
-            offset,
-            sampled: moved || sampled_base,
+        turn.into_iter().chain(offset).flatten().any(depends) || on_base.is_some_and(|p| p.sampled)
+    }
+
+    /// The components of a point of the first member, for another member.
+    fn components_of_member(
+        &mut self,
+        [x, y, z]: [Option<NodeId>; 3],
+        index: u8,
+    ) -> Result<[Option<NodeId>; 3], Error> {
+        let mut moved = |id: Option<NodeId>| id.map(|id| self.of_member(id, index)).transpose();
+        Ok([moved(x)?, moved(y)?, moved(z)?])
+    }
+
+    fn of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, Error> {
+        let term = match node_at(&self.domain.nodes, id)? {
+            Node::Sum(a, b) => Node::Sum(self.of_member(a, index)?, self.of_member(b, index)?),
+            Node::Difference(a, b) => {
+                Node::Difference(self.of_member(a, index)?, self.of_member(b, index)?)
+            }
+            Node::Product(a, b) => {
+                Node::Product(self.of_member(a, index)?, self.of_member(b, index)?)
+            }
+            leaf => self.domain.for_member(leaf, index),
         };
-        self.domain
-            .points
-            .push(point)
-            .map_err(|_| Error::CapacityExceeded("points of a domain"))
+        intern(&mut self.domain.nodes, term)
     }
 }

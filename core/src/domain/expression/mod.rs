@@ -3,12 +3,16 @@
 //! An expression is a node in a list in which operands stand before the node that
 //! uses them, so a list is evaluated in one sweep, and equal terms are stored once.
 
+mod parser;
+
 use super::dimension::Dimension;
+use super::group::{Extreme, Relation};
 use super::schema::Domain;
 use crate::error::Error;
-use crate::text::{Lexer, Token, write_number};
+use crate::text::{Lexer, write_number};
 use core::fmt;
 use heapless::VecView;
+use parser::ExpressionParser;
 
 /// Index of a node in its list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -60,6 +64,9 @@ pub enum Node {
     Angle(u8, u8),
     /// The area of a shape.
     Area(u8),
+    /// The least or greatest value over the members of a group that an instance
+    /// has.
+    Extreme(Extreme, Relation),
     /// `a + b`
     Sum(NodeId, NodeId),
     /// `a - b`
@@ -132,6 +139,7 @@ impl Domain<'_> {
             Node::Coordinate(Coordinate::Theta, _) | Node::Angle(..) => Some(Dimension::Angle),
             Node::Coordinate(..) | Node::Distance(..) => Some(Dimension::Length),
             Node::Area(_) => Some(Dimension::Area),
+            Node::Extreme(_, relation) => self.dimension(&[relation.term()], NodeId(0)),
             Node::Sum(a, b) | Node::Difference(a, b) => self
                 .dimension(nodes, a)
                 .or_else(|| self.dimension(nodes, b)),
@@ -152,6 +160,7 @@ impl Domain<'_> {
             Ok(Node::Parameter(_)) => Dependence::Sample,
             Ok(Node::Coordinate(_, p)) => point(p),
             Ok(Node::Distance(_, a, b) | Node::Angle(a, b)) => point(a).max(point(b)),
+            Ok(Node::Extreme(_, relation)) => self.dependence(&[relation.term()], NodeId(0)),
             Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
                 self.dependence(nodes, a).max(self.dependence(nodes, b))
             }
@@ -174,7 +183,8 @@ impl Domain<'_> {
 
     /// Reads an expression from a text: sums, differences and products of
     /// numbers, constants, attributes, parameters, coordinates of points,
-    /// `dist(a, b)`, `dist_x`, `dist_y`, `dist_z`, `angle(a, b)` and `area(o)`.
+    /// `dist(a, b)`, `dist_x`, `dist_y`, `dist_z`, `angle(a, b)` and `area(o)`, and
+    /// `min(...)` or `max(...)` of one of these that is about the members of a group.
     ///
     /// # Errors
     /// [`Error::Syntax`] with line and column, also for unknown names and for
@@ -184,25 +194,20 @@ impl Domain<'_> {
         lexer: &mut Lexer<'_>,
         nodes: &mut VecView<Node>,
     ) -> Result<NodeId, Error> {
-        self.parser(nodes).sum(lexer, 0)
+        self.parser(nodes, None).expression(lexer)
     }
 
-    /// Reads one factor of an expression: a number, a name, a call or a bracket.
-    ///
-    /// # Errors
-    /// As [`Domain::parse_expression`].
-    pub(crate) fn parse_factor(
-        &self,
-        lexer: &mut Lexer<'_>,
-        nodes: &mut VecView<Node>,
-    ) -> Result<NodeId, Error> {
-        self.parser(nodes).factor(lexer, 0)
-    }
-
-    fn parser<'p>(&'p self, nodes: &'p mut VecView<Node>) -> ExpressionParser<'p, 'p, 'p> {
+    /// A parser that lets an expression be about a member of the group `own` without
+    /// an extreme: of a point that each of its members has.
+    pub(super) fn parser<'p>(
+        &'p self,
+        nodes: &'p mut VecView<Node>,
+        own: Option<u8>,
+    ) -> ExpressionParser<'p, 'p, 'p> {
         ExpressionParser {
             domain: self,
             nodes,
+            own,
         }
     }
 
@@ -304,6 +309,12 @@ impl Domain<'_> {
                 out.write_str(object.name)?;
                 out.write_char(')')
             }
+            Node::Extreme(extreme, relation) => {
+                out.write_str(extreme.name())?;
+                out.write_char('(')?;
+                self.write_leaf(out, relation.term())?;
+                out.write_char(')')
+            }
             Node::Sum(..) | Node::Difference(..) | Node::Product(..) => Err(fmt::Error),
         }
     }
@@ -355,156 +366,5 @@ fn product_dimension(
         (Some(Plain), d) | (d, Some(Plain)) => Ok(d),
         (Some(Length), Some(Length)) => Ok(Some(Area)),
         _ => Err("one factor of a product must be a plain number, or both lengths"),
-    }
-}
-
-struct ExpressionParser<'d, 't, 'n> {
-    domain: &'d Domain<'t>,
-    nodes: &'n mut VecView<Node>,
-}
-
-impl ExpressionParser<'_, '_, '_> {
-    fn sum(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
-        let mut left = self.product(lexer, depth)?;
-        let mut links = depth;
-        loop {
-            let at = lexer.clone();
-            let make = if lexer.accept("+") {
-                Node::Sum
-            } else if lexer.accept("-") {
-                Node::Difference
-            } else {
-                return Ok(left);
-            };
-            links = deeper(&at, links)?;
-            let right = self.product(lexer, depth)?;
-            let dimensions = (self.dimension(left), self.dimension(right));
-            if let (Some(a), Some(b)) = dimensions
-                && a != b
-            {
-                return Err(at.error("the two sides of + or - have different dimensions"));
-            }
-            left = intern(self.nodes, make(left, right))?;
-        }
-    }
-
-    fn product(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
-        let mut left = self.factor(lexer, depth)?;
-        let mut links = depth;
-        loop {
-            let at = lexer.clone();
-            if !lexer.accept("*") {
-                return Ok(left);
-            }
-            links = deeper(&at, links)?;
-            let right = self.factor(lexer, depth)?;
-            product_dimension(self.dimension(left), self.dimension(right))
-                .map_err(|what| at.error(what))?;
-            left = intern(self.nodes, Node::Product(left, right))?;
-        }
-    }
-
-    fn factor(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
-        let depth = deeper(lexer, depth)?;
-        if lexer.accept("(") {
-            let inside = self.sum(lexer, depth)?;
-            lexer.expect(")", "expected `)`")?;
-            return Ok(inside);
-        }
-        if lexer.accept("-") {
-            if let Token::Number(value) = lexer.token() {
-                lexer.advance();
-                return intern(self.nodes, Node::Number(-value));
-            }
-            let zero = intern(self.nodes, Node::Number(0.0))?;
-            let inside = self.factor(lexer, depth)?;
-            return intern(self.nodes, Node::Difference(zero, inside));
-        }
-        let at = lexer.clone();
-        let node = match lexer.advance() {
-            Token::Number(value) => Node::Number(value),
-            Token::Name(name) if lexer.accept("(") => {
-                let node = self.call(name, &at, lexer)?;
-                lexer.expect(")", "expected `)`")?;
-                node
-            }
-            Token::Name(name) => self.name(name).ok_or_else(|| {
-                at.error(
-                    "unknown name: not an attribute, constant, parameter or coordinate of a point",
-                )
-            })?,
-            _ => return Err(at.error("expected a number, a name or `(`")),
-        };
-        intern(self.nodes, node)
-    }
-
-    fn call(&self, name: &str, at: &Lexer<'_>, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
-        if name == "area" {
-            let place = lexer.clone();
-            let object = lexer.expect_name("expected the name of an object")?;
-            let shape = self.domain.find_shape(object);
-            return shape
-                .map(Node::Area)
-                .ok_or_else(|| place.error("no `shape` is declared for this object"));
-        }
-        let metric = match name {
-            "dist" => Some(Metric::Straight),
-            "dist_x" => Some(Metric::X),
-            "dist_y" => Some(Metric::Y),
-            "dist_z" => Some(Metric::Z),
-            "angle" => None,
-            _ => {
-                return Err(at.error(
-                    "unknown function; there are dist, dist_x, dist_y, dist_z, angle and area",
-                ));
-            }
-        };
-        let a = self.point(lexer)?;
-        lexer.expect(",", "expected `,` and a second point")?;
-        let b = self.point(lexer)?;
-        Ok(metric.map_or(Node::Angle(a, b), |m| Node::Distance(m, a, b)))
-    }
-
-    fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Error> {
-        let at = lexer.clone();
-        let name = lexer.expect_name("expected the name of a point")?;
-        self.domain
-            .find_point(name)
-            .ok_or_else(|| at.error("unknown point"))
-    }
-
-    fn name(&self, name: &str) -> Option<Node> {
-        let domain = self.domain;
-        let leaf = domain
-            .find_parameter(name)
-            .map(Node::Parameter)
-            .or_else(|| domain.find_constant(name).map(Node::Constant))
-            .or_else(|| domain.find_slot(name).map(Node::Attribute));
-        if name == "pi" {
-            return leaf.or(Some(Node::Number(core::f64::consts::PI)));
-        }
-        leaf.or_else(|| {
-            let (point, coordinate) = name.rsplit_once('.')?;
-            let coordinate = match coordinate {
-                "x" => Coordinate::X,
-                "y" => Coordinate::Y,
-                "z" => Coordinate::Z,
-                "theta" => Coordinate::Theta,
-                _ => return None,
-            };
-            Some(Node::Coordinate(coordinate, domain.find_point(point)?))
-        })
-    }
-
-    fn dimension(&self, id: NodeId) -> Option<Dimension> {
-        self.domain.dimension(self.nodes, id)
-    }
-}
-
-fn deeper(lexer: &Lexer<'_>, depth: u8) -> Result<u8, Error> {
-    if depth < MAX_DEPTH {
-        Ok(depth + 1)
-    } else {
-        Err(lexer.error("the expression is nested too deeply or too long"))
     }
 }

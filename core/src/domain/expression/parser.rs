@@ -1,0 +1,210 @@
+//! Reads expressions.
+
+use super::{Coordinate, MAX_DEPTH, Metric, Node, NodeId, intern, product_dimension};
+use crate::domain::{Dimension, Domain, Extreme, Relation};
+use crate::error::Error;
+use crate::text::{Lexer, Token};
+use heapless::VecView;
+
+pub(in crate::domain) struct ExpressionParser<'d, 't, 'n> {
+    pub(super) domain: &'d Domain<'t>,
+    pub(super) nodes: &'n mut VecView<Node>,
+    /// The group whose members need no extreme.
+    pub(super) own: Option<u8>,
+}
+
+impl ExpressionParser<'_, '_, '_> {
+    /// Reads a whole expression.
+    pub(in crate::domain) fn expression(&mut self, lexer: &mut Lexer<'_>) -> Result<NodeId, Error> {
+        self.sum(lexer, 0)
+    }
+
+    /// Reads one factor of an expression: a number, a name, a call or a bracket.
+    pub(in crate::domain) fn single(&mut self, lexer: &mut Lexer<'_>) -> Result<NodeId, Error> {
+        self.factor(lexer, 0)
+    }
+
+    fn sum(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
+        let mut left = self.product(lexer, depth)?;
+        let mut links = depth;
+        loop {
+            let at = lexer.clone();
+            let make = if lexer.accept("+") {
+                Node::Sum
+            } else if lexer.accept("-") {
+                Node::Difference
+            } else {
+                return Ok(left);
+            };
+            links = deeper(&at, links)?;
+            let right = self.product(lexer, depth)?;
+            let dimensions = (self.dimension(left), self.dimension(right));
+            if let (Some(a), Some(b)) = dimensions
+                && a != b
+            {
+                return Err(at.error("the two sides of + or - have different dimensions"));
+            }
+            left = intern(self.nodes, make(left, right))?;
+        }
+    }
+
+    fn product(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
+        let mut left = self.factor(lexer, depth)?;
+        let mut links = depth;
+        loop {
+            let at = lexer.clone();
+            if !lexer.accept("*") {
+                return Ok(left);
+            }
+            links = deeper(&at, links)?;
+            let right = self.factor(lexer, depth)?;
+            product_dimension(self.dimension(left), self.dimension(right))
+                .map_err(|what| at.error(what))?;
+            left = intern(self.nodes, Node::Product(left, right))?;
+        }
+    }
+
+    fn factor(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
+        let depth = deeper(lexer, depth)?;
+        if lexer.accept("(") {
+            let inside = self.sum(lexer, depth)?;
+            lexer.expect(")", "expected `)`")?;
+            return Ok(inside);
+        }
+        if lexer.accept("-") {
+            if let Token::Number(value) = lexer.token() {
+                lexer.advance();
+                return intern(self.nodes, Node::Number(-value));
+            }
+            let zero = intern(self.nodes, Node::Number(0.0))?;
+            let inside = self.factor(lexer, depth)?;
+            return intern(self.nodes, Node::Difference(zero, inside));
+        }
+        let node = self.leaf(lexer)?;
+        intern(self.nodes, node)
+    }
+
+    /// A number, a name, a call, or the extreme of one of these.
+    fn leaf(&self, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
+        let at = lexer.clone();
+        if let Token::Name(name) = lexer.token()
+            && let Some(extreme) = Extreme::from_name(name)
+        {
+            lexer.advance();
+            return self.extreme(extreme, lexer);
+        }
+        let term = self.term(lexer)?;
+        let members = self.domain.members_in(term);
+        let mut groups = members.iter().flatten().map(|member| member.group);
+        if groups.any(|group| self.own != Some(group)) {
+            return Err(at.error("only min(...) or max(...) can be about a group"));
+        }
+        Ok(term)
+    }
+
+    fn extreme(&self, extreme: Extreme, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
+        lexer.expect("(", "expected `(` and what the extreme is taken of")?;
+        let at = lexer.clone();
+        let term = self.term(lexer)?;
+        lexer.expect(")", "expected `)`")?;
+        let relation = Relation::of(term).ok_or_else(|| {
+            at.error("min and max are of an attribute, a coordinate, a distance or an angle")
+        })?;
+        match self.domain.members_in(term) {
+            [None, None] => Err(at.error("min and max are over a group, and here is none")),
+            [Some(a), Some(b)] if a.group != b.group => {
+                Err(at.error("min and max are over one group, and here are two"))
+            }
+            _ => Ok(Node::Extreme(extreme, relation)),
+        }
+    }
+
+    fn term(&self, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
+        let at = lexer.clone();
+        match lexer.advance() {
+            Token::Number(value) => Ok(Node::Number(value)),
+            Token::Name(name) if lexer.accept("(") => {
+                let node = self.call(name, &at, lexer)?;
+                lexer.expect(")", "expected `)`")?;
+                Ok(node)
+            }
+            Token::Name(name) => self.name(name).ok_or_else(|| {
+                at.error(
+                    "unknown name: not an attribute, constant, parameter or coordinate of a point",
+                )
+            }),
+            _ => Err(at.error("expected a number, a name or `(`")),
+        }
+    }
+
+    fn call(&self, name: &str, at: &Lexer<'_>, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
+        if name == "area" {
+            let place = lexer.clone();
+            let object = lexer.expect_name("expected the name of an object")?;
+            let shape = self.domain.find_shape(object);
+            return shape
+                .map(Node::Area)
+                .ok_or_else(|| place.error("no `shape` is declared for this object"));
+        }
+        let metric = match name {
+            "dist" => Some(Metric::Straight),
+            "dist_x" => Some(Metric::X),
+            "dist_y" => Some(Metric::Y),
+            "dist_z" => Some(Metric::Z),
+            "angle" => None,
+            "min" | "max" => return Err(at.error("min and max cannot be of each other")),
+            _ => {
+                return Err(at.error(
+                    "unknown function; there are dist, dist_x, dist_y, dist_z, angle, area, min, max",
+                ));
+            }
+        };
+        let a = self.point(lexer)?;
+        lexer.expect(",", "expected `,` and a second point")?;
+        let b = self.point(lexer)?;
+        Ok(metric.map_or(Node::Angle(a, b), |m| Node::Distance(m, a, b)))
+    }
+
+    fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Error> {
+        let at = lexer.clone();
+        let name = lexer.expect_name("expected the name of a point")?;
+        self.domain
+            .find_point(name)
+            .ok_or_else(|| at.error("unknown point"))
+    }
+
+    fn name(&self, name: &str) -> Option<Node> {
+        let domain = self.domain;
+        let leaf = domain
+            .find_parameter(name)
+            .map(Node::Parameter)
+            .or_else(|| domain.find_constant(name).map(Node::Constant))
+            .or_else(|| domain.find_slot(name).map(Node::Attribute));
+        if name == "pi" {
+            return leaf.or(Some(Node::Number(core::f64::consts::PI)));
+        }
+        leaf.or_else(|| {
+            let (point, coordinate) = name.rsplit_once('.')?;
+            let coordinate = match coordinate {
+                "x" => Coordinate::X,
+                "y" => Coordinate::Y,
+                "z" => Coordinate::Z,
+                "theta" => Coordinate::Theta,
+                _ => return None,
+            };
+            Some(Node::Coordinate(coordinate, domain.find_point(point)?))
+        })
+    }
+
+    fn dimension(&self, id: NodeId) -> Option<Dimension> {
+        self.domain.dimension(self.nodes, id)
+    }
+}
+
+fn deeper(lexer: &Lexer<'_>, depth: u8) -> Result<u8, Error> {
+    if depth < MAX_DEPTH {
+        Ok(depth + 1)
+    } else {
+        Err(lexer.error("the expression is nested too deeply or too long"))
+    }
+}

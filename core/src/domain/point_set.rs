@@ -1,0 +1,115 @@
+//! Sets of points: what a region or learner speaks about.
+
+use super::expression::Node;
+use super::schema::{Base, Domain, MAX_POINTS};
+
+/// A set of points of a domain, with the points they are placed in. Those that move
+/// with a parameter are kept apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PointSet {
+    pub(super) fixed: Bits,
+    pub(super) sampled: Bits,
+}
+
+impl PointSet {
+    /// All points of a domain.
+    pub fn all(domain: &Domain<'_>) -> PointSet {
+        (0u8..)
+            .zip(domain.points())
+            .fold(PointSet::default(), |set, (i, _)| set.with(domain, i))
+    }
+
+    /// The points that a list of nodes speaks about; all members' where it speaks
+    /// of a group.
+    pub fn of(domain: &Domain<'_>, nodes: &[Node]) -> PointSet {
+        nodes
+            .iter()
+            .fold(PointSet::default(), |set, node| match node {
+                Node::Extreme(_, relation) => domain
+                    .terms(*relation)
+                    .fold(set, |set, (_, term)| set.with_term(domain, term)),
+                term => set.with_term(domain, *term),
+            })
+    }
+
+    /// A bit for each parameter that these points or a list of nodes depend on.
+    pub(crate) fn parameters(self, domain: &Domain<'_>, nodes: &[Node]) -> u32 {
+        let own = |nodes: &[Node]| {
+            nodes.iter().fold(0u32, |bits, node| match node {
+                Node::Parameter(p) => bits | 1u32.checked_shl(u32::from(*p)).unwrap_or(0),
+                _ => bits,
+            })
+        };
+        let points = self.fixed.iter().chain(self.sampled.iter());
+        let points = points.filter_map(|p| domain.points().get(usize::from(p)));
+        let placed = points.flat_map(|p| p.turn.into_iter().chain(p.offset).flatten());
+        placed.fold(own(nodes), |bits, term| {
+            bits | domain.parameters_of(domain.nodes(), term)
+        })
+    }
+
+    fn with_term(self, domain: &Domain<'_>, term: Node) -> PointSet {
+        match term {
+            Node::Coordinate(_, p) => self.with(domain, p),
+            Node::Distance(_, a, b) | Node::Angle(a, b) => self.with(domain, a).with(domain, b),
+            _ => self,
+        }
+    }
+
+    fn with(mut self, domain: &Domain<'_>, point: u8) -> PointSet {
+        let mut next = Some(point);
+        while let Some(index) = next.take() {
+            let Some(point) = domain.points().get(usize::from(index)) else {
+                break;
+            };
+            if point.sampled {
+                self.sampled.insert(index);
+            } else {
+                self.fixed.insert(index);
+            }
+            if let Base::Point(base) = point.base {
+                next = Some(base);
+            }
+        }
+        self
+    }
+}
+
+/// Indices of points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Bits(u64);
+
+const _: () = assert!(MAX_POINTS <= 64, "there is a bit per point");
+
+impl Bits {
+    fn insert(&mut self, point: u8) {
+        self.0 |= 1u64.checked_shl(u32::from(point)).unwrap_or(0);
+    }
+
+    /// How many there are.
+    pub(super) fn len(self) -> usize {
+        self.0.count_ones() as usize
+    }
+
+    /// All of them, ascending.
+    pub(super) fn iter(self) -> impl Iterator<Item = u8> {
+        let mut left = self.0;
+        core::iter::from_fn(move || {
+            let next = left.trailing_zeros();
+            left &= left.wrapping_sub(1);
+            (next < u64::BITS).then_some(next as u8)
+        })
+    }
+
+    pub(super) fn has(self, point: u8) -> bool {
+        self.0.checked_shr(u32::from(point)).unwrap_or(0) & 1 == 1
+    }
+
+    /// How many of them are below `point`.
+    pub(super) fn rank(self, point: u8) -> usize {
+        let below = 1u64
+            .checked_shl(u32::from(point))
+            .map_or(u64::MAX, |bit| bit - 1);
+        (self.0 & below).count_ones() as usize
+    }
+}
