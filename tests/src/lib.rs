@@ -2,5 +2,6 @@
 pub mod arm;
 pub mod data;
 pub mod pick;
+pub mod plan;
 pub mod report;
 pub mod room;

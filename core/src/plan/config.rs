@@ -1,0 +1,39 @@
+//! How to plan, and how long.
+
+use super::heuristic::Heuristic;
+
+/// How to plan, and how long. The defaults are those of the Predicators framework.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Config {
+    /// What guides the search.
+    pub heuristic: Heuristic,
+    /// Most plan skeletons to refine.
+    pub max_skeletons: u32,
+    /// Tries of a step with parameters before it steps back; a step without any has
+    /// one.
+    pub max_tries: u32,
+    /// Most actions in a plan.
+    pub max_actions: u32,
+    /// Most samples, each of which runs a controller: the budget that stands for
+    /// time, so that the same inputs always end in the same way.
+    pub max_samples: u32,
+    /// How many nodes are expanded before postponed ones are taken for what they
+    /// are: from then on nothing is postponed any more, and the search is that
+    /// without advice. So wrong advice to postpone costs so many expansions, but
+    /// never a plan. (Waiting for all others could last forever: there is no longest
+    /// sequence.)
+    pub patience: u32,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Config {
+            heuristic: Heuristic::default(),
+            max_skeletons: 1000,
+            max_tries: 10,
+            max_actions: 100,
+            max_samples: u32::MAX,
+            patience: 256,
+        }
+    }
+}
