@@ -1,11 +1,15 @@
 //! The planner against recordings of the Predicators framework and brute force.
 
 use critreg::Error;
-use critreg::domain::{GroundOperator, State};
+use critreg::domain::{GroundOperator, OperatorId, State, Task};
 use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, StickButton};
-use critreg::plan::{Config, Draw, Drawn, Outcome, Planner, Sampler, Simulated, Unguided};
-use critreg::random::uniform;
+use critreg::plan::{
+    Advice, Answer, Config, Draw, Drawn, Guide, Outcome, Planner, ReasonId, Sampler, Simulated,
+    Skeleton, Unguided,
+};
+use critreg::random::{generator, uniform};
 use critreg_tests::pick::ENVIRONMENT;
+use critreg_tests::plan::ideal::{Ideal, NO_GRASP, OUT_OF_REACH};
 use critreg_tests::plan::record::{self, Run};
 use critreg_tests::plan::{Grounding, Room};
 use rand_core::Rng;
@@ -115,4 +119,268 @@ fn replay(run: &Run, generator: &Pcg64, room: &mut Room) -> u32 {
         assert_eq!((&words, samples), (&recorded.0, &recorded.1), "{name}");
     }
     metrics.samples
+}
+
+/// Plans with the library's generator.
+fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide>(
+    initial: &State,
+    grounding: &'m Grounding,
+    (sampler, guide): (&mut S, &mut G),
+    config: Config,
+    room: &'m mut Room,
+) -> Answer<'m, State> {
+    let mut planner = Planner {
+        world: &mut grounding.simulated(),
+        sampler,
+        guide,
+        config,
+    };
+    // Other numbers for each skeleton: longer ones repeat what shorter ones tried.
+    let mut seeds = 2..;
+    let samples = || generator(seeds.next().unwrap());
+    let (task, memory) = (grounding.task(), room.lend());
+    planner
+        .plan(task, initial, generator(1), samples, memory)
+        .unwrap()
+}
+
+/// Random tasks.
+fn tasks(buttons: std::ops::RangeInclusive<usize>, count: usize) -> Vec<Task> {
+    let mut rng = generator(5);
+    (0..count)
+        .map(|_| ENVIRONMENT.task(buttons.clone(), &mut rng).unwrap())
+        .collect()
+}
+
+#[test]
+fn ideal_knowledge_needs_a_sample_per_step() {
+    let mut room = Room::new(10_000);
+    let (mut samples, mut length, mut postponed) = (0, 0, 0);
+    for task in tasks(3..=4, 100) {
+        let grounding = Grounding::new(&task).unwrap();
+        let initial = &task.initial;
+        let mut ideal = Ideal { initial };
+        let hooks = (&mut ideal.clone(), &mut ideal);
+        let answer = plan(
+            &task.initial,
+            &grounding,
+            hooks,
+            Config::default(),
+            &mut room,
+        );
+        assert_eq!(answer.outcome, Outcome::Solved);
+        let metrics = &answer.metrics;
+        samples += metrics.samples;
+        length += metrics.plan_length;
+        postponed += metrics.postponed;
+        let reasons: u32 = metrics.reasons().iter().sum();
+        assert_eq!(reasons, metrics.postponed + metrics.empty_draws);
+        let failures: u32 = metrics.failures().iter().sum();
+        assert!(metrics.samples + metrics.empty_draws >= metrics.plan_length + failures);
+    }
+    println!("{samples} samples for {length} steps, {postponed} prefixes postponed");
+    assert!(postponed > 0 && f64::from(samples) <= 1.05 * f64::from(length));
+}
+
+/// Advises against everything that worked in a recorded plan.
+struct Wrong<'a>(&'a Run);
+
+impl Guide for Wrong<'_> {
+    fn judge(&mut self, prefix: Skeleton<'_>) -> Advice {
+        let last = prefix.iter().next_back().unwrap();
+        let word = digits(last, &self.0.task.initial);
+        if self.0.plan.iter().any(|(operator, _)| *operator == word) {
+            Advice::Postpone(ReasonId(0))
+        } else {
+            Advice::Keep
+        }
+    }
+}
+
+#[test]
+fn wrong_advice_to_postpone_costs_no_plan() {
+    let mut room = Room::new(10_000);
+    let mut postponed = 0;
+    // Longer sequences with many picks and places are tried first.
+    let config = Config {
+        max_samples: 1_000_000,
+        ..Config::default()
+    };
+    let easy = |run: &Run| run.task.goal.len() <= 2 && run.counts[0] <= 100;
+    for run in record::runs().filter(easy) {
+        let grounding = Grounding::new(&run.task).unwrap();
+        let hooks = (&mut grounding.simulated(), &mut Wrong(&run));
+        let answer = plan(&run.task.initial, &grounding, hooks, config, &mut room);
+        assert_eq!(answer.outcome, Outcome::Solved, "{}", run.name);
+        postponed += answer.metrics.postponed;
+    }
+    assert!(postponed > 0);
+}
+
+#[test]
+fn every_outcome_tells_what_it_cost() {
+    let task = tasks(1..=1, 100)
+        .into_iter()
+        .find(|task| {
+            // Only the stick reaches the button, so that several samples are needed.
+            let grounding = Grounding::new(task).unwrap();
+            let hooks = (&mut grounding.simulated(), &mut Unguided);
+            let mut room = Room::new(1000);
+            let answer = plan(
+                &task.initial,
+                &grounding,
+                hooks,
+                Config::default(),
+                &mut room,
+            );
+            answer.metrics.samples > 5 && answer.metrics.skeletons == 2
+        })
+        .unwrap();
+    let grounding = Grounding::new(&task).unwrap();
+    let default = Config::default();
+    let cases = [
+        (default, 1000, Outcome::Solved),
+        (
+            Config {
+                max_samples: 3,
+                ..default
+            },
+            1000,
+            Outcome::SamplesSpent,
+        ),
+        (
+            Config {
+                max_skeletons: 1,
+                ..default
+            },
+            1000,
+            Outcome::SkeletonsSpent,
+        ),
+        (
+            Config {
+                max_actions: 1,
+                max_skeletons: 9,
+                ..default
+            },
+            1000,
+            Outcome::SkeletonsSpent,
+        ),
+        (default, 4, Outcome::Full("nodes of the search")),
+        (default, 0, Outcome::Full("nodes of the search")),
+    ];
+    for (config, nodes, outcome) in cases {
+        let mut room = Room::new(nodes);
+        let hooks = (&mut grounding.simulated(), &mut Unguided);
+        let answer = plan(&task.initial, &grounding, hooks, config, &mut room);
+        assert_eq!(answer.outcome, outcome);
+        let metrics = &answer.metrics;
+        assert_eq!(answer.steps.is_empty(), outcome != Outcome::Solved);
+        assert!(metrics.samples <= config.max_samples);
+        assert!(metrics.skeletons <= config.max_skeletons);
+        assert_eq!(metrics.nodes_created == 1, nodes == 0);
+        let failed = metrics.most_failed();
+        assert_eq!(failed.is_none(), metrics.samples == 0);
+        assert_eq!(metrics.main_reason(), None);
+    }
+}
+
+#[test]
+fn why_no_plan_was_found() {
+    // A button that neither hand nor stick reaches.
+    let mut task = tasks(1..=1, 1).remove(0);
+    let button = task.initial.attributes_mut(FIRST_BUTTON).unwrap();
+    button[1] = 5.95;
+    let grounding = Grounding::new(&task).unwrap();
+    let initial = &task.initial;
+    let mut ideal = Ideal { initial };
+    let mut room = Room::new(10_000);
+    let config = Config {
+        max_length: 4,
+        ..Config::default()
+    };
+    let hooks = (&mut ideal.clone(), &mut ideal);
+    let answer = plan(&task.initial, &grounding, hooks, config, &mut room);
+    assert_eq!(answer.outcome, Outcome::LengthSpent);
+    let metrics = answer.metrics;
+    assert!(metrics.empty_draws > 0);
+    let [by_hand, by_stick] = [OUT_OF_REACH, NO_GRASP].map(|r| metrics.reasons()[usize::from(r.0)]);
+    assert!(by_hand > 0 && by_stick > 0);
+    let main = if by_hand >= by_stick {
+        OUT_OF_REACH
+    } else {
+        NO_GRASP
+    };
+    assert_eq!(metrics.main_reason(), Some(main));
+    let most = metrics.failures().iter().max().unwrap();
+    let OperatorId(failed) = metrics.most_failed().unwrap();
+    assert!(*most > 0 && metrics.failures()[usize::from(failed)] == *most);
+}
+
+#[test]
+fn a_goal_that_holds_needs_no_step_and_one_out_of_reach_ends_the_search() {
+    let task = tasks(1..=1, 1).remove(0);
+    let solved = Task {
+        goal: Default::default(),
+        ..task.clone()
+    };
+    let outcomes = [(&solved, true), (&task, false)].map(|(task, press)| {
+        let mut grounding = Grounding::new(task).unwrap();
+        if !press {
+            // The first four pick and place.
+            grounding.operators.truncate(4);
+        }
+        let mut room = Room::new(100);
+        let hooks = (&mut grounding.simulated(), &mut Unguided);
+        let answer = plan(
+            &task.initial,
+            &grounding,
+            hooks,
+            Config::default(),
+            &mut room,
+        );
+        assert_eq!(answer.steps.len(), 0);
+        assert_eq!(answer.metrics.nodes_created, 1);
+        answer.outcome
+    });
+    assert_eq!(outcomes, [Outcome::Solved, Outcome::Exhausted]);
+}
+
+/// A sampler that breaks down after some draws.
+struct Fragile<'a> {
+    original: Simulated<'a, StickButton>,
+    draws: u32,
+}
+
+impl<'a> Sampler<Simulated<'a, StickButton>> for Fragile<'a> {
+    fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
+        let left = self.draws.checked_sub(1);
+        self.draws = left.ok_or(Error::OutOfSequence("broken"))?;
+        self.original.sample(draw, rng)
+    }
+}
+
+#[test]
+fn an_error_is_passed_on_and_the_memory_stays_usable() {
+    let task = tasks(1..=1, 1).remove(0);
+    let grounding = Grounding::new(&task).unwrap();
+    let mut room = Room::new(1000);
+    let mut results = vec![];
+    for draws in [1000, 0, 1000] {
+        let mut planner = Planner {
+            world: &mut grounding.simulated(),
+            sampler: &mut Fragile {
+                original: grounding.simulated(),
+                draws,
+            },
+            guide: &mut Unguided,
+            config: Config::default(),
+        };
+        let (task, initial) = (grounding.task(), &task.initial);
+        let samples = || generator(2);
+        let answer = planner.plan(task, initial, generator(1), samples, room.lend());
+        results.push(answer.map(|a| (a.outcome, a.metrics.samples, a.metrics.nodes_created)));
+    }
+    assert_eq!(results[1], Err(Error::OutOfSequence("broken")));
+    assert!(matches!(results[0], Ok((Outcome::Solved, ..))));
+    assert_eq!(results[0], results[2]);
 }

@@ -19,6 +19,8 @@ pub struct Metrics<'m> {
     pub pruned: u32,
     /// Sequences that the guide postponed.
     pub postponed: u32,
+    /// Sequences that were not extended because of their length.
+    pub cut_off: u32,
     /// Draws that ended with the sampler knowing that no parameters work.
     pub empty_draws: u32,
     /// Actions taken in the world; runs that failed without a result not counted.
@@ -81,4 +83,31 @@ impl<'m> Metrics<'m> {
 fn most(counts: &[u32]) -> Option<usize> {
     let largest = *counts.iter().max().filter(|count| **count > 0)?;
     counts.iter().position(|count| *count == largest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_without_a_counter_are_counted_together() {
+        let (mut failures, mut reasons) = ([7; 2], [7; 3]);
+        let mut metrics = Metrics::new(&mut failures, &mut reasons);
+        assert_eq!((metrics.most_failed(), metrics.main_reason()), (None, None));
+        for operator in [0, 1, 1, 2] {
+            metrics.fail(OperatorId(operator));
+        }
+        for reason in [2, 1, 2, 1, 3, 9, 9] {
+            metrics.blame(ReasonId(reason));
+        }
+        assert_eq!(metrics.failures(), [1, 2]);
+        assert_eq!(metrics.reasons(), [0, 2, 2]);
+        assert_eq!(metrics.uncounted, 4);
+        assert_eq!(metrics.most_failed(), Some(OperatorId(1)));
+        assert_eq!(
+            metrics.main_reason(),
+            Some(ReasonId(1)),
+            "the first of equals"
+        );
+    }
 }

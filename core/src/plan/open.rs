@@ -124,7 +124,7 @@ mod tests {
         let mut open = OpenList::new(&mut slots);
         let mut all: Vec<_> = (0..100)
             .map(|node| Waiting {
-                postponed: rng.next_u32() % 4 == 0,
+                postponed: rng.next_u32() < u32::MAX / 4,
                 priority: rng.next_u32() % 8,
                 lot: rng.next_u64(),
                 node,

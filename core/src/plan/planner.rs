@@ -29,9 +29,12 @@ pub struct Memory<'m, S> {
 pub enum Outcome {
     /// There is a plan.
     Solved,
-    /// No further sequence of operators reaches the goal, so there is no plan; or
-    /// it was pruned, or needs other samples.
+    /// No further sequence of operators reaches the goal: there is no plan, or it
+    /// was pruned, or it needs other samples.
     Exhausted,
+    /// Likewise, but some sequences were not extended beyond
+    /// [`Config::max_length`] or the steps of the memory: [`Metrics::cut_off`].
+    LengthSpent,
     /// [`Config::max_skeletons`] were refined in vain.
     SkeletonsSpent,
     /// [`Config::max_samples`] were drawn.
@@ -83,7 +86,11 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
     ) -> Result<Answer<'m, W::State>, W::Error> {
         let mut metrics = Metrics::new(memory.failures, memory.reasons);
         let steps = memory.steps;
-        let search = Search::new(task, &self.config, lots, memory.search, &mut metrics);
+        let config = Config {
+            max_length: self.config.max_length.min(steps.len()),
+            ..self.config
+        };
+        let search = Search::new(task, &config, lots, memory.search, &mut metrics);
         let outcome = match search {
             Ok(mut search) => {
                 self.search_then_sample(&mut search, initial, samples, steps, &mut metrics)?
@@ -116,6 +123,7 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
         while metrics.skeletons < self.config.max_skeletons {
             let skeleton = match search.next_skeleton(self.guide, metrics) {
                 Ok(Some(skeleton)) => skeleton,
+                Ok(None) if metrics.cut_off > 0 => return Ok(Outcome::LengthSpent),
                 Ok(None) => return Ok(Outcome::Exhausted),
                 Err(error) => return full(error),
             };

@@ -54,7 +54,8 @@ pub struct Search<'m, T> {
     lots: T,
     /// The sequence at hand, as the places of its operators.
     path: Vec<u16, MAX_SKELETON>,
-    /// After how many expansions what was postponed is released.
+    max_length: usize,
+    /// After how much effort what was postponed is released.
     patience: u32,
     released: bool,
 }
@@ -80,6 +81,7 @@ impl<'m, T: Rng> Search<'m, T> {
             open: OpenList::new(memory.open),
             lots,
             path: Vec::new(),
+            max_length: config.max_length.min(MAX_SKELETON),
             patience: config.patience,
             released: false,
         };
@@ -98,12 +100,11 @@ impl<'m, T: Rng> Search<'m, T> {
 
     /// The next sequence of operators that reaches the goal; in the order of their
     /// lengths if the heuristic is never too high and nothing was postponed.
-    /// `None` if there is no other.
+    /// `None` if there is no other up to [`Config::max_length`].
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`] if the memory is full or a sequence longer than
-    /// [`MAX_SKELETON`]. The search stays as it was before the node that found no
-    /// room.
+    /// [`Error::CapacityExceeded`] if the memory is full. The search stays as it was
+    /// before the node that found no room.
     pub fn next_skeleton<G: Guide>(
         &mut self,
         guide: &mut G,
@@ -120,6 +121,10 @@ impl<'m, T: Rng> Search<'m, T> {
             if self.task.goal.is_subset(node.state) {
                 return Ok(Some(self.skeleton()));
             }
+            if usize::from(node.length) >= self.max_length {
+                metrics.cut_off += 1;
+                continue;
+            }
             if let Err(error) = self.check_room(node) {
                 self.open.push(waiting)?;
                 return Err(error);
@@ -132,7 +137,8 @@ impl<'m, T: Rng> Search<'m, T> {
     /// Takes the first that waits. If that is a postponed one, or patience is at
     /// its end, nothing is postponed any more.
     fn pop(&mut self, metrics: &Metrics<'_>) -> Option<Waiting> {
-        let impatient = metrics.nodes_expanded >= self.patience;
+        let effort = metrics.nodes_expanded.saturating_add(metrics.samples);
+        let impatient = effort >= self.patience;
         if !self.released && (impatient || self.open.first()?.postponed) {
             self.released = true;
             self.open.release();
@@ -195,9 +201,7 @@ impl<'m, T: Rng> Search<'m, T> {
     fn check_room(&self, node: Node) -> Result<(), Error> {
         let operators = self.task.operators.iter();
         let children = operators.filter(|o| o.is_applicable(node.state)).count();
-        if usize::from(node.length) >= MAX_SKELETON {
-            Err(Error::CapacityExceeded("operators of a plan skeleton"))
-        } else if self.nodes.capacity().saturating_sub(self.nodes.len()) < children {
+        if self.nodes.capacity().saturating_sub(self.nodes.len()) < children {
             Err(Error::CapacityExceeded("nodes of the search"))
         } else if self.open.room() < children {
             Err(Error::CapacityExceeded("open list of the search"))

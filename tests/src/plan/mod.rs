@@ -4,7 +4,7 @@ pub mod ideal;
 pub mod record;
 
 use critreg::Error;
-use critreg::domain::{Atoms, Environment, GroundOperator, State, Task, ground_operators};
+use critreg::domain::{AtomSet, Atoms, Environment, GroundOperator, State, Task, ground_operators};
 use critreg::plan::{
     AbstractTask, Cached, HeuristicMemory, Memory, Node, Progress, SearchMemory, Simulated, Step,
     Waiting,
@@ -14,7 +14,7 @@ use crate::pick::ENVIRONMENT;
 use critreg::env::stick_button::StickButton;
 
 /// Most ground operators: those of ten buttons.
-const MAX_OPERATORS: usize = 256;
+pub const MAX_OPERATORS: usize = 256;
 /// Links between atoms and operators: at most four preconditions and effects each.
 const LINKS: usize = 4 * MAX_OPERATORS;
 /// Abstract states whose estimate is remembered.
@@ -70,9 +70,10 @@ impl Room {
 pub struct Grounding {
     /// The atoms over its objects.
     pub atoms: Atoms,
-    operators: heapless::Vec<GroundOperator, MAX_OPERATORS>,
-    initial: critreg::domain::AtomSet,
-    goal: critreg::domain::AtomSet,
+    /// The ground operators.
+    pub operators: heapless::Vec<GroundOperator, MAX_OPERATORS>,
+    initial: AtomSet,
+    goal: AtomSet,
 }
 
 impl Grounding {
