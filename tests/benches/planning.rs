@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use critreg::domain::{State, Task};
-use critreg::plan::{Answer, Config, Metrics, Outcome, Planner, Search, Unguided};
+use critreg::plan::{Conclusion, Config, Metrics, Planned, Planner, Search, Unguided};
 use critreg::random::generator;
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::ideal::Ideal;
@@ -46,7 +46,7 @@ fn search(c: &mut Criterion) {
 }
 
 /// Plans a task from scratch with what an ideal learner knows.
-fn plan<'m>(task: &Task, grounding: &'m Grounding, room: &'m mut Room) -> Answer<'m, State> {
+fn plan<'m>(task: &Task, grounding: &'m Grounding, room: &'m mut Room) -> Planned<'m, State> {
     let mut ideal = Ideal {
         initial: &task.initial,
     };
@@ -57,14 +57,14 @@ fn plan<'m>(task: &Task, grounding: &'m Grounding, room: &'m mut Room) -> Answer
         config: Config::default(),
     };
     let samples = || generator(2);
-    let answer = planner.plan(
+    let planned = planner.plan(
         grounding.task(),
         &task.initial,
         generator(1),
         samples,
         room.lend(),
     );
-    answer.unwrap()
+    planned.unwrap()
 }
 
 fn planning(c: &mut Criterion) {
@@ -74,11 +74,11 @@ fn planning(c: &mut Criterion) {
         let (mut samples, mut length, mut nodes) = (0, 0, 0);
         for task in &tasks {
             let grounding = Grounding::new(task).unwrap();
-            let answer = plan(task, &grounding, &mut room);
-            assert_eq!(answer.outcome, Outcome::Solved);
-            samples += answer.metrics.samples;
-            length += answer.metrics.plan_length;
-            nodes += answer.metrics.nodes_created;
+            let planned = plan(task, &grounding, &mut room);
+            assert_eq!(planned.conclusion, Conclusion::Solved);
+            samples += planned.metrics.samples;
+            length += planned.metrics.plan_length;
+            nodes += planned.metrics.nodes_created;
         }
         println!("{buttons:?} buttons: {samples} samples, {length} steps, {nodes} nodes");
         let mut group = c.benchmark_group("planning");

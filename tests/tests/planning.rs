@@ -4,7 +4,7 @@ use critreg::Error;
 use critreg::domain::{GroundOperator, OperatorId, State, Task};
 use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, StickButton};
 use critreg::plan::{
-    Advice, Answer, Config, Draw, Drawn, Guide, Outcome, Planner, ReasonId, Sampler, Simulated,
+    Advice, Conclusion, Config, Draw, Drawn, Guide, Planned, Planner, ReasonId, Sampler, Simulated,
     Skeleton, Unguided,
 };
 use critreg::random::{generator, uniform};
@@ -85,12 +85,12 @@ fn replay(run: &Run, generator: &Pcg64, room: &mut Room) -> u32 {
     };
     let task = grounding.task();
     let restart = || generator.clone();
-    let answer = planner
+    let planned = planner
         .plan(task, &run.task.initial, restart(), restart, room.lend())
         .unwrap();
-    let (metrics, name) = (&answer.metrics, &run.name);
-    let expected = [Outcome::SkeletonsSpent, Outcome::Solved][usize::from(run.solved)];
-    assert_eq!(answer.outcome, expected, "{name}");
+    let (metrics, name) = (&planned.metrics, &run.name);
+    let expected = [Conclusion::SkeletonsSpent, Conclusion::Solved][usize::from(run.solved)];
+    assert_eq!(planned.conclusion, expected, "{name}");
     let counts = [
         metrics.samples,
         metrics.skeletons,
@@ -100,16 +100,16 @@ fn replay(run: &Run, generator: &Pcg64, room: &mut Room) -> u32 {
     assert_eq!(counts, run.counts, "{name}");
 
     let word = |place: u16| digits(&task.operators[usize::from(place)], &run.task.initial);
-    let plan: Vec<_> = answer
+    let plan: Vec<_> = planned
         .steps
         .iter()
         .map(|step| (word(step.operator), step.parameters.to_vec()))
         .collect();
     assert_eq!(plan, run.plan, "{name}");
-    let actions: u32 = answer.steps.iter().map(|step| step.actions).sum();
+    let actions: u32 = planned.steps.iter().map(|step| step.actions).sum();
     assert_eq!(actions, run.actions, "{name}");
     assert_eq!(metrics.plan_length as usize, run.plan.len(), "{name}");
-    if let Some(last) = answer.steps.last() {
+    if let Some(last) = planned.steps.last() {
         assert_eq!(last.state, run.end, "{name}: to the last bit");
         assert!(run.task.is_solved(&ENVIRONMENT, &last.state), "{name}");
     }
@@ -128,7 +128,7 @@ fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide>(
     (sampler, guide): (&mut S, &mut G),
     config: Config,
     room: &'m mut Room,
-) -> Answer<'m, State> {
+) -> Planned<'m, State> {
     let mut planner = Planner {
         world: &mut grounding.simulated(),
         sampler,
@@ -161,15 +161,15 @@ fn ideal_knowledge_needs_a_sample_per_step() {
         let initial = &task.initial;
         let mut ideal = Ideal { initial };
         let hooks = (&mut ideal.clone(), &mut ideal);
-        let answer = plan(
+        let planned = plan(
             &task.initial,
             &grounding,
             hooks,
             Config::default(),
             &mut room,
         );
-        assert_eq!(answer.outcome, Outcome::Solved);
-        let metrics = &answer.metrics;
+        assert_eq!(planned.conclusion, Conclusion::Solved);
+        let metrics = &planned.metrics;
         samples += metrics.samples;
         length += metrics.plan_length;
         postponed += metrics.postponed;
@@ -210,15 +210,15 @@ fn wrong_advice_to_postpone_costs_no_plan() {
     for run in record::runs().filter(easy) {
         let grounding = Grounding::new(&run.task).unwrap();
         let hooks = (&mut grounding.simulated(), &mut Wrong(&run));
-        let answer = plan(&run.task.initial, &grounding, hooks, config, &mut room);
-        assert_eq!(answer.outcome, Outcome::Solved, "{}", run.name);
-        postponed += answer.metrics.postponed;
+        let planned = plan(&run.task.initial, &grounding, hooks, config, &mut room);
+        assert_eq!(planned.conclusion, Conclusion::Solved, "{}", run.name);
+        postponed += planned.metrics.postponed;
     }
     assert!(postponed > 0);
 }
 
 #[test]
-fn every_outcome_tells_what_it_cost() {
+fn every_conclusion_tells_what_it_cost() {
     let task = tasks(1..=1, 100)
         .into_iter()
         .find(|task| {
@@ -226,27 +226,27 @@ fn every_outcome_tells_what_it_cost() {
             let grounding = Grounding::new(task).unwrap();
             let hooks = (&mut grounding.simulated(), &mut Unguided);
             let mut room = Room::new(1000);
-            let answer = plan(
+            let planned = plan(
                 &task.initial,
                 &grounding,
                 hooks,
                 Config::default(),
                 &mut room,
             );
-            answer.metrics.samples > 5 && answer.metrics.skeletons == 2
+            planned.metrics.samples > 5 && planned.metrics.skeletons == 2
         })
         .unwrap();
     let grounding = Grounding::new(&task).unwrap();
     let default = Config::default();
     let cases = [
-        (default, 1000, Outcome::Solved),
+        (default, 1000, Conclusion::Solved),
         (
             Config {
                 max_samples: 3,
                 ..default
             },
             1000,
-            Outcome::SamplesSpent,
+            Conclusion::SamplesSpent,
         ),
         (
             Config {
@@ -254,7 +254,7 @@ fn every_outcome_tells_what_it_cost() {
                 ..default
             },
             1000,
-            Outcome::SkeletonsSpent,
+            Conclusion::SkeletonsSpent,
         ),
         (
             Config {
@@ -263,18 +263,18 @@ fn every_outcome_tells_what_it_cost() {
                 ..default
             },
             1000,
-            Outcome::SkeletonsSpent,
+            Conclusion::SkeletonsSpent,
         ),
-        (default, 4, Outcome::Full("nodes of the search")),
-        (default, 0, Outcome::Full("nodes of the search")),
+        (default, 4, Conclusion::Full("nodes of the search")),
+        (default, 0, Conclusion::Full("nodes of the search")),
     ];
-    for (config, nodes, outcome) in cases {
+    for (config, nodes, conclusion) in cases {
         let mut room = Room::new(nodes);
         let hooks = (&mut grounding.simulated(), &mut Unguided);
-        let answer = plan(&task.initial, &grounding, hooks, config, &mut room);
-        assert_eq!(answer.outcome, outcome);
-        let metrics = &answer.metrics;
-        assert_eq!(answer.steps.is_empty(), outcome != Outcome::Solved);
+        let planned = plan(&task.initial, &grounding, hooks, config, &mut room);
+        assert_eq!(planned.conclusion, conclusion);
+        let metrics = &planned.metrics;
+        assert_eq!(planned.steps.is_empty(), conclusion != Conclusion::Solved);
         assert!(metrics.samples <= config.max_samples);
         assert!(metrics.skeletons <= config.max_skeletons);
         assert_eq!(metrics.nodes_created == 1, nodes == 0);
@@ -299,9 +299,9 @@ fn why_no_plan_was_found() {
         ..Config::default()
     };
     let hooks = (&mut ideal.clone(), &mut ideal);
-    let answer = plan(&task.initial, &grounding, hooks, config, &mut room);
-    assert_eq!(answer.outcome, Outcome::LengthSpent);
-    let metrics = answer.metrics;
+    let planned = plan(&task.initial, &grounding, hooks, config, &mut room);
+    assert_eq!(planned.conclusion, Conclusion::LengthSpent);
+    let metrics = planned.metrics;
     assert!(metrics.empty_draws > 0);
     let [by_hand, by_stick] = [OUT_OF_REACH, NO_GRASP].map(|r| metrics.reasons()[usize::from(r.0)]);
     assert!(by_hand > 0 && by_stick > 0);
@@ -331,18 +331,18 @@ fn a_goal_that_holds_needs_no_step_and_one_out_of_reach_ends_the_search() {
         }
         let mut room = Room::new(100);
         let hooks = (&mut grounding.simulated(), &mut Unguided);
-        let answer = plan(
+        let planned = plan(
             &task.initial,
             &grounding,
             hooks,
             Config::default(),
             &mut room,
         );
-        assert_eq!(answer.steps.len(), 0);
-        assert_eq!(answer.metrics.nodes_created, 1);
-        answer.outcome
+        assert_eq!(planned.steps.len(), 0);
+        assert_eq!(planned.metrics.nodes_created, 1);
+        planned.conclusion
     });
-    assert_eq!(outcomes, [Outcome::Solved, Outcome::Exhausted]);
+    assert_eq!(outcomes, [Conclusion::Solved, Conclusion::Exhausted]);
 }
 
 /// A sampler that breaks down after some draws.
@@ -377,10 +377,10 @@ fn an_error_is_passed_on_and_the_memory_stays_usable() {
         };
         let (task, initial) = (grounding.task(), &task.initial);
         let samples = || generator(2);
-        let answer = planner.plan(task, initial, generator(1), samples, room.lend());
-        results.push(answer.map(|a| (a.outcome, a.metrics.samples, a.metrics.nodes_created)));
+        let planned = planner.plan(task, initial, generator(1), samples, room.lend());
+        results.push(planned.map(|a| (a.conclusion, a.metrics.samples, a.metrics.nodes_created)));
     }
     assert_eq!(results[1], Err(Error::OutOfSequence("broken")));
-    assert!(matches!(results[0], Ok((Outcome::Solved, ..))));
+    assert!(matches!(results[0], Ok((Conclusion::Solved, ..))));
     assert_eq!(results[0], results[2]);
 }

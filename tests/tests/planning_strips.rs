@@ -4,7 +4,8 @@ use critreg::Error;
 use critreg::domain::{Arguments, AtomSet, GroundOperator, OperatorId};
 use critreg::plan::{
     AbstractTask, Advice, Cached, Config, Estimate, Estimator, Guide, Heuristic, HeuristicMemory,
-    Metrics, Node, Progress, ReasonId, Search, SearchMemory, Skeleton, Unguided, Waiting, links,
+    Metrics, Progress, ReasonId, Search, SearchMemory, SearchNode, Skeleton, Unguided, Waiting,
+    links,
 };
 use critreg::random::generator;
 use proptest::collection::vec;
@@ -203,7 +204,7 @@ fn search(
             links: &mut vec![0; links(&operators)],
             cache: &mut [Cached::default(); 16],
         },
-        nodes: &mut vec![Node::default(); room],
+        nodes: &mut vec![SearchNode::default(); room],
         open: &mut vec![Waiting::default(); room],
     };
     let mut metrics = Metrics::new(&mut [], &mut []);

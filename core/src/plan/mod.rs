@@ -26,10 +26,10 @@
 //! in the same way, on every machine.
 //!
 //! ```
-//! # use critreg::plan::{Cached, HeuristicMemory, Node, Progress, SearchMemory, Step, Waiting};
+//! # use critreg::plan::{Cached, HeuristicMemory, SearchNode, Progress, SearchMemory, Step, Waiting};
 //! use critreg::domain::{Atoms, Environment, GroundOperator, ground_operators};
 //! use critreg::env::stick_button::StickButton;
-//! use critreg::plan::{AbstractTask, Config, Memory, Outcome, Planner, Simulated, Unguided};
+//! use critreg::plan::{AbstractTask, Config, Memory, Conclusion, Planner, Simulated, Unguided};
 //! use critreg::random::generator;
 //!
 //! let environment = StickButton { angles: false };
@@ -52,7 +52,7 @@
 //!     config: Config::default(),
 //! };
 //! # let (mut progress, mut links) = ([Progress::default(); 32], [0; 256]);
-//! # let (mut cache, mut nodes) = ([Cached::default(); 64], [Node::default(); 256]);
+//! # let (mut cache, mut nodes) = ([Cached::default(); 64], [SearchNode::default(); 256]);
 //! # let mut open = [Waiting::default(); 256];
 //! # let mut steps: [Step<_>; 8] = core::array::from_fn(|_| Step::default());
 //! # let (mut failures, mut reasons) = ([0; 8], []);
@@ -66,9 +66,9 @@
 //! #     failures: &mut failures,
 //! #     reasons: &mut reasons,
 //! # };
-//! let answer = planner.plan(goal, &task.initial, generator(1), || generator(1), memory)?;
-//! assert_eq!(answer.outcome, Outcome::Solved);
-//! let end = answer.steps.last().map_or(&task.initial, |step| &step.state);
+//! let planned = planner.plan(goal, &task.initial, generator(1), || generator(1), memory)?;
+//! assert_eq!(planned.conclusion, Conclusion::Solved);
+//! let end = planned.steps.last().map_or(&task.initial, |step| &step.state);
 //! assert!(task.is_solved(&environment, end));
 //! # Ok::<(), critreg::Error>(())
 //! ```
@@ -89,9 +89,9 @@ pub use guide::{Advice, Guide, ReasonId, Unguided};
 pub use heuristic::{Cached, Estimate, Estimator, Heuristic, HeuristicMemory, Progress, links};
 pub use metrics::Metrics;
 pub use open::Waiting;
-pub use planner::{Answer, Memory, Outcome, Planner};
+pub use planner::{Conclusion, Memory, Planned, Planner};
 pub use refine::{Refinement, Refiner, Step};
-pub use search::{MAX_SKELETON, Node, Search, SearchMemory};
+pub use search::{MAX_SKELETON, Search, SearchMemory, SearchNode};
 pub use skeleton::Skeleton;
 pub use world::{Draw, Drawn, Sampler, Simulated, World};
 

@@ -26,7 +26,7 @@ pub struct Memory<'m, S> {
 
 /// How planning ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum Conclusion {
     /// There is a plan.
     Solved,
     /// No further sequence of operators reaches the goal: there is no plan, or it
@@ -45,9 +45,9 @@ pub enum Outcome {
 
 /// What came of planning.
 #[derive(Debug)]
-pub struct Answer<'m, S> {
+pub struct Planned<'m, S> {
     /// How it ended.
-    pub outcome: Outcome,
+    pub conclusion: Conclusion,
     /// What it cost, and what stood in the way.
     pub metrics: Metrics<'m>,
     /// The plan; empty unless solved.
@@ -83,7 +83,7 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
         lots: impl Rng,
         samples: impl FnMut() -> R,
         memory: Memory<'m, W::State>,
-    ) -> Result<Answer<'m, W::State>, W::Error> {
+    ) -> Result<Planned<'m, W::State>, W::Error> {
         let mut metrics = Metrics::new(memory.failures, memory.reasons);
         let steps = memory.steps;
         let config = Config {
@@ -91,15 +91,15 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
             ..self.config
         };
         let search = Search::new(task, &config, lots, memory.search, &mut metrics);
-        let outcome = match search {
+        let conclusion = match search {
             Ok(mut search) => {
                 self.search_then_sample(&mut search, initial, samples, steps, &mut metrics)?
             }
             Err(error) => full(error)?,
         };
         let plan = steps.get(..metrics.plan_length as usize);
-        Ok(Answer {
-            outcome,
+        Ok(Planned {
+            conclusion,
             metrics,
             steps: plan.unwrap_or_default(),
         })
@@ -112,7 +112,7 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
         mut samples: impl FnMut() -> R,
         steps: &mut [Step<W::State>],
         metrics: &mut Metrics<'_>,
-    ) -> Result<Outcome, W::Error> {
+    ) -> Result<Conclusion, W::Error> {
         let mut refiner = Refiner {
             world: &mut *self.world,
             sampler: &mut *self.sampler,
@@ -123,29 +123,29 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
         while metrics.skeletons < self.config.max_skeletons {
             let skeleton = match search.next_skeleton(self.guide, metrics) {
                 Ok(Some(skeleton)) => skeleton,
-                Ok(None) if metrics.cut_off > 0 => return Ok(Outcome::LengthSpent),
-                Ok(None) => return Ok(Outcome::Exhausted),
+                Ok(None) if metrics.cut_off > 0 => return Ok(Conclusion::LengthSpent),
+                Ok(None) => return Ok(Conclusion::Exhausted),
                 Err(error) => return full(error),
             };
             metrics.skeletons += 1;
             match refiner.refine(skeleton, &mut samples(), steps, metrics)? {
                 Refinement::Failed => {}
-                Refinement::SamplesSpent => return Ok(Outcome::SamplesSpent),
-                Refinement::TooLong => return Ok(Outcome::Full("steps of a plan")),
+                Refinement::SamplesSpent => return Ok(Conclusion::SamplesSpent),
+                Refinement::TooLong => return Ok(Conclusion::Full("steps of a plan")),
                 Refinement::Done => {
                     metrics.plan_length = skeleton.len() as u32;
-                    return Ok(Outcome::Solved);
+                    return Ok(Conclusion::Solved);
                 }
             }
         }
-        Ok(Outcome::SkeletonsSpent)
+        Ok(Conclusion::SkeletonsSpent)
     }
 }
 
-/// That the memory is full is an outcome of planning, anything else an error.
-fn full<E: From<Error>>(error: Error) -> Result<Outcome, E> {
+/// That the memory is full is a conclusion of planning, anything else an error.
+fn full<E: From<Error>>(error: Error) -> Result<Conclusion, E> {
     match error {
-        Error::CapacityExceeded(what) => Ok(Outcome::Full(what)),
+        Error::CapacityExceeded(what) => Ok(Conclusion::Full(what)),
         error => Err(error.into()),
     }
 }

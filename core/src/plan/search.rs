@@ -18,7 +18,7 @@ pub const MAX_SKELETON: usize = 128;
 
 /// A sequence of operators: that of another node, and one more.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Node {
+pub struct SearchNode {
     /// What holds after the sequence.
     state: AtomSet,
     /// The node it extends.
@@ -35,7 +35,7 @@ pub struct SearchMemory<'m> {
     /// For the heuristic.
     pub heuristic: HeuristicMemory<'m>,
     /// One for each sequence of operators that is created.
-    pub nodes: &'m mut [Node],
+    pub nodes: &'m mut [SearchNode],
     /// One for each sequence that waits; as many as there are nodes always suffice.
     pub open: &'m mut [Waiting],
 }
@@ -49,7 +49,7 @@ pub struct SearchMemory<'m> {
 pub struct Search<'m, T> {
     task: AbstractTask<'m>,
     estimator: Estimator<'m>,
-    nodes: Table<'m, Node>,
+    nodes: Table<'m, SearchNode>,
     open: OpenList<'m>,
     lots: T,
     /// The sequence at hand, as the places of its operators.
@@ -85,9 +85,9 @@ impl<'m, T: Rng> Search<'m, T> {
             patience: config.patience,
             released: false,
         };
-        let root = Node {
+        let root = SearchNode {
             state: task.initial,
-            ..Node::default()
+            ..SearchNode::default()
         };
         search.create(root, metrics)?;
         Ok(search)
@@ -146,12 +146,12 @@ impl<'m, T: Rng> Search<'m, T> {
         self.open.pop()
     }
 
-    fn node(&self, place: u32) -> Option<Node> {
+    fn node(&self, place: u32) -> Option<SearchNode> {
         self.nodes.as_slice().get(place as usize).copied()
     }
 
     /// Makes the sequence of a node the one at hand.
-    fn follow(&mut self, mut node: Node) -> Result<(), Error> {
+    fn follow(&mut self, mut node: SearchNode) -> Result<(), Error> {
         self.path.clear();
         while node.length > 0 {
             let pushed = self.path.push(node.operator);
@@ -198,7 +198,7 @@ impl<'m, T: Rng> Search<'m, T> {
     }
 
     /// Whether all children of a node find room.
-    fn check_room(&self, node: Node) -> Result<(), Error> {
+    fn check_room(&self, node: SearchNode) -> Result<(), Error> {
         let operators = self.task.operators.iter();
         let children = operators.filter(|o| o.is_applicable(node.state)).count();
         if self.nodes.capacity().saturating_sub(self.nodes.len()) < children {
@@ -210,11 +210,16 @@ impl<'m, T: Rng> Search<'m, T> {
         }
     }
 
-    fn expand(&mut self, parent: u32, node: Node, metrics: &mut Metrics<'_>) -> Result<(), Error> {
+    fn expand(
+        &mut self,
+        parent: u32,
+        node: SearchNode,
+        metrics: &mut Metrics<'_>,
+    ) -> Result<(), Error> {
         metrics.nodes_expanded += 1;
         for (operator, ground) in (0..).zip(self.task.operators) {
             if ground.is_applicable(node.state) {
-                let child = Node {
+                let child = SearchNode {
                     state: ground.apply(node.state),
                     parent,
                     operator,
@@ -227,7 +232,7 @@ impl<'m, T: Rng> Search<'m, T> {
     }
 
     /// Lets a node wait, unless it is a dead end.
-    fn create(&mut self, node: Node, metrics: &mut Metrics<'_>) -> Result<(), Error> {
+    fn create(&mut self, node: SearchNode, metrics: &mut Metrics<'_>) -> Result<(), Error> {
         metrics.nodes_created += 1;
         let lot = self.lots.next_u64() >> 11;
         let Estimate::Cost(cost) = self.estimator.estimate(node.state) else {

@@ -6,8 +6,8 @@ pub mod record;
 use critreg::Error;
 use critreg::domain::{AtomSet, Atoms, Environment, GroundOperator, State, Task, ground_operators};
 use critreg::plan::{
-    AbstractTask, Cached, HeuristicMemory, Memory, Node, Progress, SearchMemory, Simulated, Step,
-    Waiting,
+    AbstractTask, Cached, HeuristicMemory, Memory, Progress, SearchMemory, SearchNode, Simulated,
+    Step, Waiting,
 };
 
 use crate::pick::ENVIRONMENT;
@@ -25,7 +25,7 @@ pub struct Room {
     progress: Vec<Progress>,
     links: Vec<u16>,
     cache: Vec<Cached>,
-    nodes: Vec<Node>,
+    nodes: Vec<SearchNode>,
     open: Vec<Waiting>,
     steps: Vec<Step<State>>,
     failures: Vec<u32>,
@@ -39,7 +39,7 @@ impl Room {
             progress: vec![Progress::default(); MAX_OPERATORS],
             links: vec![0; LINKS],
             cache: vec![Cached::default(); CACHE],
-            nodes: vec![Node::default(); nodes],
+            nodes: vec![SearchNode::default(); nodes],
             open: vec![Waiting::default(); nodes],
             steps: vec![Step::default(); 16],
             failures: vec![0; ENVIRONMENT.operators().len()],
