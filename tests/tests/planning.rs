@@ -1,8 +1,8 @@
 //! The planner against recordings of the Predicators framework and brute force.
 
 use critreg::Error;
-use critreg::domain::{GroundOperator, OperatorId, State, Task};
-use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, StickButton};
+use critreg::domain::{Environment, GroundOperator, OperatorId, State, Task};
+use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, PICK_STICK, StickButton};
 use critreg::plan::{
     Advice, Conclusion, Config, Draw, Drawn, Guide, Planned, Planner, ReasonId, Sampler, Simulated,
     Skeleton, Unguided,
@@ -119,6 +119,55 @@ fn replay(run: &Run, generator: &Pcg64, room: &mut Room) -> u32 {
         assert_eq!((&words, samples), (&recorded.0, &recorded.1), "{name}");
     }
     metrics.samples
+}
+
+/// Draws grasps from the region that the thesis learned, mu <= 0.5.
+struct LowerHalf<'a>(Simulated<'a, StickButton>);
+
+impl<'a> Sampler<Simulated<'a, StickButton>> for LowerHalf<'a> {
+    fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
+        let Drawn::Parameters(mut drawn) = self.0.sample(draw, rng)? else {
+            panic!("the original sampler knows no regions");
+        };
+        let operators = ENVIRONMENT.operators();
+        let operator = &operators[usize::from(draw.operator.operator.0)];
+        if operator.controller == PICK_STICK {
+            // Half of a uniform number, exactly.
+            drawn.iter_mut().for_each(|mu| *mu *= 0.5);
+        }
+        Ok(Drawn::Parameters(drawn))
+    }
+}
+
+#[test]
+fn the_thesis_s_table() {
+    let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
+    let mut room = Room::new(1000);
+    let (mut original, mut learned, mut length) = (vec![], vec![], 0);
+    let is_its = |run: &Run| run.name.starts_with("1-1 buttons, seed 0,");
+    for run in record::runs().filter(is_its) {
+        original.push(run.counts[0]);
+        let grounding = Grounding::new(&run.task).unwrap();
+        let restart = || generators[run.planner_seed as usize].clone();
+        let mut planner = Planner {
+            world: &mut grounding.simulated(),
+            sampler: &mut LowerHalf(grounding.simulated()),
+            guide: &mut Unguided,
+            config: Config::default(),
+        };
+        let (task, initial) = (grounding.task(), &run.task.initial);
+        let planned = planner
+            .plan(task, initial, restart(), restart, room.lend())
+            .unwrap();
+        assert_eq!(planned.conclusion, Conclusion::Solved, "{}", run.name);
+        learned.push(planned.metrics.samples);
+        length += planned.metrics.plan_length;
+    }
+    // Table 6.1: 7.76 samples on average and 230 at most, with the region 2.64 and 17.
+    let sum_and_most = |samples: &[u32]| (samples.iter().sum(), *samples.iter().max().unwrap());
+    assert_eq!((original.len(), length), (50, 77));
+    assert_eq!(sum_and_most(&original), (388, 230));
+    assert_eq!(sum_and_most(&learned), (132, 17));
 }
 
 /// Plans with the library's generator.
