@@ -14,6 +14,7 @@
 //! | module | what it knows |
 //! |---|---|
 //! | [`mod@env`] | built-in environments: a simulator, its predicates, controllers, operators, tasks |
+//! | [`plan`] | a bilevel planner: sequences of operators first, then their parameters |
 //! | [`learn`] | learners: they ask for samples, are told what came of them, and end with a region |
 //! | [`region`] | regions: constraints, grounded in an instance, sampled exactly |
 //! | [`grammar`] | features and hypotheses made of a domain, formulas and their text |
@@ -80,6 +81,7 @@ mod error;
 pub mod geometry;
 pub mod grammar;
 pub mod learn;
+pub mod plan;
 pub mod random;
 pub mod real;
 pub mod region;

@@ -183,11 +183,11 @@ pub fn tasks() -> impl Iterator<Item = RecordedTask> {
     })
 }
 
-fn lines(text: &'static str) -> impl Iterator<Item = SplitWhitespace<'static>> {
+pub(crate) fn lines(text: &'static str) -> impl Iterator<Item = SplitWhitespace<'static>> {
     text.lines().map(str::split_whitespace)
 }
 
-fn next<T: FromStr>(words: &mut impl Iterator<Item = &'static str>) -> T {
+pub(crate) fn next<T: FromStr>(words: &mut impl Iterator<Item = &'static str>) -> T {
     let word = words.next().expect("a line is too short");
     word.parse()
         .ok()

@@ -3,5 +3,6 @@ pub mod arm;
 pub mod by_hand;
 pub mod data;
 pub mod pick;
+pub mod plan;
 pub mod report;
 pub mod room;

@@ -91,6 +91,13 @@ impl AtomSet {
     /// No atom.
     pub const EMPTY: AtomSet = AtomSet(0);
 
+    /// The atom at a place of [`Atoms::as_slice`] alone; no atom beyond
+    /// [`MAX_ATOMS`].
+    #[must_use]
+    pub fn single(place: u32) -> AtomSet {
+        AtomSet(1u128.checked_shl(place).unwrap_or(0))
+    }
+
     /// The atoms in either set.
     #[must_use]
     pub fn union(self, other: AtomSet) -> AtomSet {
@@ -114,6 +121,23 @@ impl AtomSet {
         self.difference(other).is_empty()
     }
 
+    /// Whether the atom at a place is in the set.
+    pub fn contains(self, place: u32) -> bool {
+        !self.intersection(AtomSet::single(place)).is_empty()
+    }
+
+    /// Takes out the atom with the lowest place, and returns that place.
+    pub fn pop_first(&mut self) -> Option<u32> {
+        let place = (self.0 != 0).then(|| self.0.trailing_zeros())?;
+        self.0 &= self.0.wrapping_sub(1);
+        Some(place)
+    }
+
+    /// The set as a number: bit i for the atom at place i.
+    pub fn bits(self) -> u128 {
+        self.0
+    }
+
     /// Whether there are none.
     pub fn is_empty(self) -> bool {
         self.0 == 0
@@ -126,11 +150,7 @@ impl AtomSet {
 
     /// The places of its atoms in [`Atoms::as_slice`], ascending.
     pub fn places(self) -> impl Iterator<Item = u32> {
-        let mut rest = self.0;
-        core::iter::from_fn(move || {
-            let place = (rest != 0).then(|| rest.trailing_zeros())?;
-            rest &= rest.wrapping_sub(1);
-            Some(place)
-        })
+        let mut rest = self;
+        core::iter::from_fn(move || rest.pop_first())
     }
 }

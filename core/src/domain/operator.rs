@@ -96,6 +96,13 @@ impl GroundOperator {
             .difference(self.delete_effects)
             .union(self.add_effects)
     }
+
+    /// What must hold before so that these atoms can hold afterwards, if nothing
+    /// but the add effects changes: without those, and with the preconditions.
+    #[must_use]
+    pub fn regress(&self, atoms: AtomSet) -> AtomSet {
+        atoms.difference(self.add_effects).union(self.preconditions)
+    }
 }
 
 /// Appends all ground operators of a task to `out`: in the order of `operators`,

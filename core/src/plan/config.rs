@@ -1,0 +1,45 @@
+//! How to plan, and how long.
+
+use super::heuristic::Heuristic;
+use super::search::MAX_SKELETON;
+
+/// How to plan, and how long. The defaults are those of the Predicators framework,
+/// with about as many samples as it draws in the time that it has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Config {
+    /// What guides the search.
+    pub heuristic: Heuristic,
+    /// Most plan skeletons to refine.
+    pub max_skeletons: u32,
+    /// Tries of a step with parameters before it steps back; a step without any has
+    /// one.
+    pub max_tries: u32,
+    /// Most operators in a plan skeleton: longer sequences are not extended. At
+    /// most [`MAX_SKELETON`], and as many as the memory has steps.
+    pub max_length: usize,
+    /// Most actions in a plan.
+    pub max_actions: u32,
+    /// Most samples, each of which runs a controller: the budget that stands for
+    /// time, so that the same inputs always end in the same way.
+    pub max_samples: u32,
+    /// How many nodes are expanded and samples drawn before postponed sequences are
+    /// taken for what they are: from then on nothing is postponed any more, and the
+    /// search is that without advice. So wrong advice to postpone costs about so
+    /// much, but no plan. (Waiting for all others could last forever: there is no
+    /// longest sequence.)
+    pub patience: u32,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Config {
+            heuristic: Heuristic::default(),
+            max_skeletons: 1000,
+            max_tries: 10,
+            max_length: MAX_SKELETON,
+            max_actions: 100,
+            max_samples: 10_000,
+            patience: 256,
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! The open list of the search.
+
+use crate::error::Error;
+
+/// A node that waits. The least comes first: fields in order of importance.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Waiting {
+    /// Whether everything else is tried before.
+    pub(super) postponed: bool,
+    /// Cost so far and estimated cost to the goal.
+    pub(super) priority: u32,
+    /// Drawn by lot.
+    pub(super) lot: u64,
+    /// The node.
+    pub(super) node: u32,
+}
+
+/// A binary heap in lent memory, the least item first.
+#[derive(Debug)]
+pub(super) struct OpenList<'m> {
+    slots: &'m mut [Waiting],
+    used: usize,
+}
+
+impl<'m> OpenList<'m> {
+    pub(super) fn new(slots: &'m mut [Waiting]) -> Self {
+        OpenList { slots, used: 0 }
+    }
+
+    /// How many more there is room for.
+    pub(super) fn room(&self) -> usize {
+        self.slots.len().saturating_sub(self.used)
+    }
+
+    pub(super) fn first(&self) -> Option<&Waiting> {
+        self.slots.get(..self.used)?.first()
+    }
+
+    pub(super) fn push(&mut self, item: Waiting) -> Result<(), Error> {
+        if self.room() == 0 {
+            return Err(Error::CapacityExceeded("open list of the search"));
+        }
+        let place = self.used;
+        self.used += 1;
+        self.rise(place, item);
+        Ok(())
+    }
+
+    pub(super) fn pop(&mut self) -> Option<Waiting> {
+        let first = *self.first()?;
+        self.used = self.used.saturating_sub(1);
+        if let Some(last) = self.slots.get(self.used).copied() {
+            self.sink(0, last);
+        }
+        Some(first)
+    }
+
+    /// Forgets what was postponed.
+    pub(super) fn release(&mut self) {
+        for item in self.slots.iter_mut().take(self.used) {
+            item.postponed = false;
+        }
+        for place in (0..self.used / 2).rev() {
+            if let Some(item) = self.slots.get(place).copied() {
+                self.sink(place, item);
+            }
+        }
+    }
+
+    /// Puts an item where `place` is free, or above.
+    fn rise(&mut self, mut place: usize, item: Waiting) {
+        while place > 0 {
+            let above = (place - 1) / 2;
+            match self.slots.get(above).copied() {
+                Some(parent) if item < parent => self.set(place, parent),
+                _ => break,
+            }
+            place = above;
+        }
+        self.set(place, item);
+    }
+
+    /// Puts an item where `place` is free, or below.
+    fn sink(&mut self, mut place: usize, item: Waiting) {
+        loop {
+            let left = 2 * place + 1;
+            let children = self.slots.get(..self.used).and_then(|s| s.get(left..));
+            let mut children = (left..).zip(children.unwrap_or_default()).take(2);
+            let Some((mut below, mut least)) = children.next() else {
+                break;
+            };
+            if let Some((right, other)) = children.next()
+                && other < least
+            {
+                (below, least) = (right, other);
+            }
+            if item <= *least {
+                break;
+            }
+            let least = *least;
+            self.set(place, least);
+            place = below;
+        }
+        self.set(place, item);
+    }
+
+    fn set(&mut self, place: usize, item: Waiting) {
+        if let Some(slot) = self.slots.get_mut(place) {
+            *slot = item;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_core::Rng;
+    use std::vec::Vec;
+
+    #[test]
+    fn comes_out_sorted_and_full_is_an_answer() {
+        let mut rng = crate::random::generator(1);
+        let mut slots = [Waiting::default(); 100];
+        let mut open = OpenList::new(&mut slots);
+        let mut all: Vec<_> = (0..100)
+            .map(|node| Waiting {
+                postponed: rng.next_u32() < u32::MAX / 4,
+                priority: rng.next_u32() % 8,
+                lot: rng.next_u64(),
+                node,
+            })
+            .collect();
+        for released in [false, true] {
+            for item in &all {
+                open.push(*item).unwrap();
+            }
+            assert!(open.push(Waiting::default()).is_err());
+            if released {
+                open.release();
+                all.iter_mut().for_each(|item| item.postponed = false);
+            }
+            all.sort();
+            let sorted: Vec<_> = core::iter::from_fn(|| open.pop()).collect();
+            assert_eq!(sorted, all);
+        }
+    }
+}

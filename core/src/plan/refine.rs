@@ -1,0 +1,180 @@
+//! The refinement of a plan skeleton.
+
+use super::config::Config;
+use super::metrics::Metrics;
+use super::skeleton::Skeleton;
+use super::world::{Draw, Drawn, Sampler, World};
+use crate::domain::{AtomSet, Parameters};
+use rand_core::Rng;
+
+/// A step of a plan.
+#[derive(Clone, Debug, Default)]
+pub struct Step<S> {
+    /// The place of its operator among those of the task.
+    pub operator: u16,
+    /// The parameters of its controller.
+    pub parameters: Parameters,
+    /// How many actions the controller took.
+    pub actions: u32,
+    /// The state afterwards.
+    pub state: S,
+    /// The atoms that must hold afterwards.
+    necessary: AtomSet,
+    /// How often it was tried since the step before changed.
+    tries: u32,
+    max_tries: u32,
+}
+
+/// What came of a refinement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refinement {
+    /// All steps work: the first steps of the memory are the plan.
+    Done,
+    /// The tries of all steps are spent.
+    Failed,
+    /// The samples are spent: [`Config::max_samples`].
+    SamplesSpent,
+    /// The skeleton has more operators than the memory has steps.
+    TooLong,
+}
+
+/// Looks for the parameters of plan skeletons by chronological backtracking.
+///
+/// A try of a step works if its controller takes an action, the plan so far has at
+/// most [`Config::max_actions`], and the *necessary atoms* hold: the goal,
+/// regressed through the rest of the skeleton. A step whose tries are spent begins
+/// anew when the step before was tried again.
+#[derive(Debug)]
+pub struct Refiner<'a, W: World, S> {
+    /// Where the steps are tried.
+    pub world: &'a mut W,
+    /// Where their parameters come from.
+    pub sampler: &'a mut S,
+    /// The state to begin in.
+    pub initial: &'a W::State,
+    /// What shall hold in the end.
+    pub goal: AtomSet,
+    /// The limits.
+    pub config: &'a Config,
+}
+
+impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
+    /// Refines a plan skeleton. `steps` becomes the plan if this is
+    /// [`Refinement::Done`].
+    ///
+    /// # Errors
+    /// Those of the world and the sampler.
+    pub fn refine<R: Rng>(
+        &mut self,
+        skeleton: Skeleton<'_>,
+        rng: &mut R,
+        steps: &mut [Step<W::State>],
+        metrics: &mut Metrics<'_>,
+    ) -> Result<Refinement, W::Error> {
+        let Some(steps) = steps.get_mut(..skeleton.len()) else {
+            return Ok(Refinement::TooLong);
+        };
+        self.prepare(skeleton, steps)?;
+        let mut at = 0;
+        while let Some(operator) = skeleton.get(at) {
+            let Some((done, [step, ..])) = steps.split_at_mut_checked(at) else {
+                break;
+            };
+            if metrics.samples >= self.config.max_samples {
+                return Ok(Refinement::SamplesSpent);
+            }
+            let draw = Draw {
+                skeleton,
+                step: at,
+                operator,
+                state: done.last().map_or(self.initial, |step| &step.state),
+                attempt: step.tries + 1,
+            };
+            let actions = done.iter().map(|step| step.actions).sum();
+            if self.try_step(&draw, step, actions, rng, metrics)? {
+                at += 1;
+                continue;
+            }
+            metrics.fail(operator.operator);
+            match step_back(steps, at) {
+                Some(earlier) => at = earlier,
+                None => return Ok(Refinement::Failed),
+            }
+        }
+        Ok(Refinement::Done)
+    }
+
+    /// Sets up the steps: their operators and tries, and from behind their
+    /// necessary atoms.
+    fn prepare(
+        &self,
+        skeleton: Skeleton<'_>,
+        steps: &mut [Step<W::State>],
+    ) -> Result<(), W::Error> {
+        let mut necessary = self.goal;
+        let places = steps.iter_mut().zip(skeleton.places());
+        for (at, (step, place)) in places.enumerate().rev() {
+            let Some(operator) = skeleton.get(at) else {
+                continue;
+            };
+            let sampled = self.world.parameters(operator)? > 0;
+            step.operator = *place;
+            step.necessary = necessary;
+            step.tries = 0;
+            step.max_tries = if sampled { self.config.max_tries } else { 1 };
+            necessary = operator.regress(necessary);
+        }
+        Ok(())
+    }
+
+    /// Draws parameters of a step and tries them, after so many actions. Whether
+    /// they work.
+    fn try_step<R: Rng>(
+        &mut self,
+        draw: &Draw<'_, W::State>,
+        step: &mut Step<W::State>,
+        actions_before: u32,
+        rng: &mut R,
+        metrics: &mut Metrics<'_>,
+    ) -> Result<bool, W::Error> {
+        step.tries = draw.attempt;
+        step.parameters = match self.sampler.sample(draw, rng)? {
+            Drawn::Parameters(parameters) => parameters,
+            Drawn::Empty(reason) => {
+                step.tries = step.max_tries;
+                metrics.empty_draws += 1;
+                metrics.blame(reason);
+                return Ok(false);
+            }
+        };
+        metrics.samples += 1;
+        let (operator, before) = (draw.operator, draw.state);
+        let after = &mut step.state;
+        step.actions = self
+            .world
+            .execute(operator, &step.parameters, before, after)?;
+        metrics.actions += u64::from(step.actions);
+        let actions = actions_before.saturating_add(step.actions);
+        if step.actions == 0 || actions > self.config.max_actions {
+            return Ok(false);
+        }
+        for atom in step.necessary.places() {
+            if !self.world.holds(atom, after)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
+
+/// Where to go on after a try of the step `at` failed: there, or at the last step
+/// before that has tries left; those of the steps between begin anew.
+fn step_back<S>(steps: &mut [Step<S>], at: usize) -> Option<usize> {
+    for (place, step) in steps.iter_mut().enumerate().take(at + 1).rev() {
+        if step.tries < step.max_tries {
+            return Some(place);
+        }
+        step.tries = 0;
+    }
+    None
+}

@@ -1,0 +1,250 @@
+//! The search for plan skeletons.
+
+use super::AbstractTask;
+use super::config::Config;
+use super::guide::{Advice, Guide};
+use super::heuristic::{Estimate, Estimator, HeuristicMemory};
+use super::metrics::Metrics;
+use super::open::{OpenList, Waiting};
+use super::skeleton::Skeleton;
+use crate::domain::AtomSet;
+use crate::error::Error;
+use crate::table::Table;
+use heapless::Vec;
+use rand_core::Rng;
+
+/// Most operators in a plan skeleton.
+pub const MAX_SKELETON: usize = 128;
+
+/// A sequence of operators: that of another node, and one more.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SearchNode {
+    /// What holds after the sequence.
+    state: AtomSet,
+    /// The node it extends.
+    parent: u32,
+    /// The place of its last operator among those of the task.
+    operator: u16,
+    /// Its length; the root, alone, has none.
+    length: u16,
+}
+
+/// The memory of a [`Search`]. It bounds the search: lend less for a smaller budget.
+#[derive(Debug)]
+pub struct SearchMemory<'m> {
+    /// For the heuristic.
+    pub heuristic: HeuristicMemory<'m>,
+    /// One for each sequence of operators that is created.
+    pub nodes: &'m mut [SearchNode],
+    /// One for each sequence that waits; as many as there are nodes always suffice.
+    pub open: &'m mut [Waiting],
+}
+
+/// A* over sequences of operators.
+///
+/// The sequences are a tree: two that lead to the same abstract state are two plan
+/// skeletons, of which perhaps only one can be refined. Priority is the length so
+/// far and the estimate; ties are broken by lot.
+#[derive(Debug)]
+pub struct Search<'m, T> {
+    task: AbstractTask<'m>,
+    estimator: Estimator<'m>,
+    nodes: Table<'m, SearchNode>,
+    open: OpenList<'m>,
+    lots: T,
+    /// The sequence at hand, as the places of its operators.
+    path: Vec<u16, MAX_SKELETON>,
+    max_length: usize,
+    /// After how much effort what was postponed is released.
+    patience: u32,
+    released: bool,
+}
+
+impl<'m, T: Rng> Search<'m, T> {
+    /// A search that begins with the empty sequence. `lots` breaks ties, by one
+    /// draw for each node.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if there is no room for the task or the first
+    /// node.
+    pub fn new(
+        task: AbstractTask<'m>,
+        config: &Config,
+        lots: T,
+        memory: SearchMemory<'m>,
+        metrics: &mut Metrics<'_>,
+    ) -> Result<Self, Error> {
+        let mut search = Search {
+            task,
+            estimator: Estimator::new(config.heuristic, task, memory.heuristic)?,
+            nodes: Table::new(memory.nodes, "nodes of the search"),
+            open: OpenList::new(memory.open),
+            lots,
+            path: Vec::new(),
+            max_length: config.max_length.min(MAX_SKELETON),
+            patience: config.patience,
+            released: false,
+        };
+        let root = SearchNode {
+            state: task.initial,
+            ..SearchNode::default()
+        };
+        search.create(root, metrics)?;
+        Ok(search)
+    }
+
+    /// The task.
+    pub fn task(&self) -> AbstractTask<'m> {
+        self.task
+    }
+
+    /// The next sequence of operators that reaches the goal; in the order of their
+    /// lengths if the heuristic is never too high and nothing was postponed.
+    /// `None` if there is no other up to [`Config::max_length`].
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if the memory is full. The search stays as it was
+    /// before the node that found no room.
+    pub fn next_skeleton<G: Guide>(
+        &mut self,
+        guide: &mut G,
+        metrics: &mut Metrics<'_>,
+    ) -> Result<Option<Skeleton<'_>>, Error> {
+        while let Some(waiting) = self.pop(metrics) {
+            let Some(node) = self.node(waiting.node) else {
+                break;
+            };
+            self.follow(node)?;
+            if !self.is_kept(waiting, guide, metrics)? {
+                continue;
+            }
+            if self.task.goal.is_subset(node.state) {
+                return Ok(Some(self.skeleton()));
+            }
+            if usize::from(node.length) >= self.max_length {
+                metrics.cut_off += 1;
+                continue;
+            }
+            if let Err(error) = self.check_room(node) {
+                self.open.push(waiting)?;
+                return Err(error);
+            }
+            self.expand(waiting.node, node, metrics)?;
+        }
+        Ok(None)
+    }
+
+    /// Takes the first that waits. If that is a postponed one, or patience is at
+    /// its end, nothing is postponed any more.
+    fn pop(&mut self, metrics: &Metrics<'_>) -> Option<Waiting> {
+        let effort = metrics.nodes_expanded.saturating_add(metrics.samples);
+        let impatient = effort >= self.patience;
+        if !self.released && (impatient || self.open.first()?.postponed) {
+            self.released = true;
+            self.open.release();
+        }
+        self.open.pop()
+    }
+
+    fn node(&self, place: u32) -> Option<SearchNode> {
+        self.nodes.as_slice().get(place as usize).copied()
+    }
+
+    /// Makes the sequence of a node the one at hand.
+    fn follow(&mut self, mut node: SearchNode) -> Result<(), Error> {
+        self.path.clear();
+        while node.length > 0 {
+            let pushed = self.path.push(node.operator);
+            pushed.map_err(|_| Error::CapacityExceeded("operators of a plan skeleton"))?;
+            node = self.node(node.parent).unwrap_or_default();
+        }
+        self.path.reverse();
+        Ok(())
+    }
+
+    /// The sequence at hand.
+    fn skeleton(&self) -> Skeleton<'_> {
+        Skeleton::new(self.task.operators, &self.path)
+    }
+
+    /// Whether to go on with the sequence at hand.
+    fn is_kept<G: Guide>(
+        &mut self,
+        waiting: Waiting,
+        guide: &mut G,
+        metrics: &mut Metrics<'_>,
+    ) -> Result<bool, Error> {
+        if self.path.is_empty() {
+            return Ok(true);
+        }
+        match guide.judge(self.skeleton()) {
+            Advice::Postpone(reason) if !self.released => {
+                metrics.postponed += 1;
+                metrics.blame(reason);
+                let postponed = true;
+                self.open.push(Waiting {
+                    postponed,
+                    ..waiting
+                })?;
+                Ok(false)
+            }
+            Advice::Keep | Advice::Postpone(_) => Ok(true),
+            Advice::Prune(reason) => {
+                metrics.pruned += 1;
+                metrics.blame(reason);
+                Ok(false)
+            }
+        }
+    }
+
+    /// Whether all children of a node find room.
+    fn check_room(&self, node: SearchNode) -> Result<(), Error> {
+        let operators = self.task.operators.iter();
+        let children = operators.filter(|o| o.is_applicable(node.state)).count();
+        if self.nodes.capacity().saturating_sub(self.nodes.len()) < children {
+            Err(Error::CapacityExceeded("nodes of the search"))
+        } else if self.open.room() < children {
+            Err(Error::CapacityExceeded("open list of the search"))
+        } else {
+            Ok(())
+        }
+    }
+
+    fn expand(
+        &mut self,
+        parent: u32,
+        node: SearchNode,
+        metrics: &mut Metrics<'_>,
+    ) -> Result<(), Error> {
+        metrics.nodes_expanded += 1;
+        for (operator, ground) in (0..).zip(self.task.operators) {
+            if ground.is_applicable(node.state) {
+                let child = SearchNode {
+                    state: ground.apply(node.state),
+                    parent,
+                    operator,
+                    length: node.length.saturating_add(1),
+                };
+                self.create(child, metrics)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Lets a node wait, unless it is a dead end.
+    fn create(&mut self, node: SearchNode, metrics: &mut Metrics<'_>) -> Result<(), Error> {
+        metrics.nodes_created += 1;
+        let lot = self.lots.next_u64() >> 11;
+        let Estimate::Cost(cost) = self.estimator.estimate(node.state) else {
+            return Ok(());
+        };
+        let place = u32::try_from(self.nodes.len());
+        self.nodes.push(node)?;
+        self.open.push(Waiting {
+            postponed: false,
+            priority: u32::from(node.length).saturating_add(cost),
+            lot,
+            node: place.map_err(|_| Error::CapacityExceeded("nodes of the search"))?,
+        })
+    }
+}

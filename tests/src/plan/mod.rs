@@ -1,0 +1,113 @@
+//! Planning in the stick-button environment, for host programs.
+
+pub mod ideal;
+pub mod record;
+
+use critreg::Error;
+use critreg::domain::{AtomSet, Atoms, Environment, GroundOperator, State, Task, ground_operators};
+use critreg::plan::{
+    AbstractTask, Cached, HeuristicMemory, Memory, Progress, SearchMemory, SearchNode, Simulated,
+    Step, Waiting,
+};
+
+use crate::pick::ENVIRONMENT;
+use critreg::env::stick_button::StickButton;
+
+/// Most ground operators: those of ten buttons.
+pub const MAX_OPERATORS: usize = 256;
+/// Links between atoms and operators: at most four preconditions and effects each.
+const LINKS: usize = 4 * MAX_OPERATORS;
+/// Abstract states whose estimate is remembered.
+const CACHE: usize = 256;
+
+/// The memory of a planner on the heap of the host.
+pub struct Room {
+    progress: Vec<Progress>,
+    links: Vec<u16>,
+    cache: Vec<Cached>,
+    nodes: Vec<SearchNode>,
+    open: Vec<Waiting>,
+    steps: Vec<Step<State>>,
+    failures: Vec<u32>,
+    reasons: Vec<u32>,
+}
+
+impl Room {
+    /// Memory for so many nodes, and for skeletons of up to 16 operators.
+    pub fn new(nodes: usize) -> Room {
+        Room {
+            progress: vec![Progress::default(); MAX_OPERATORS],
+            links: vec![0; LINKS],
+            cache: vec![Cached::default(); CACHE],
+            nodes: vec![SearchNode::default(); nodes],
+            open: vec![Waiting::default(); nodes],
+            steps: vec![Step::default(); 16],
+            failures: vec![0; ENVIRONMENT.operators().len()],
+            reasons: vec![0; ideal::REASONS],
+        }
+    }
+
+    /// Lends all of it.
+    pub fn lend(&mut self) -> Memory<'_, State> {
+        Memory {
+            search: SearchMemory {
+                heuristic: HeuristicMemory {
+                    operators: &mut self.progress,
+                    links: &mut self.links,
+                    cache: &mut self.cache,
+                },
+                nodes: &mut self.nodes,
+                open: &mut self.open,
+            },
+            steps: &mut self.steps,
+            failures: &mut self.failures,
+            reasons: &mut self.reasons,
+        }
+    }
+}
+
+/// A task with all that a planner needs to know of it in the abstract.
+pub struct Grounding {
+    /// The atoms over its objects.
+    pub atoms: Atoms,
+    /// The ground operators.
+    pub operators: heapless::Vec<GroundOperator, MAX_OPERATORS>,
+    initial: AtomSet,
+    goal: AtomSet,
+}
+
+impl Grounding {
+    /// Of a task of the environment.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] with more than ten buttons.
+    pub fn new(task: &Task) -> Result<Grounding, Error> {
+        let atoms = Atoms::new(&ENVIRONMENT, &task.initial)?;
+        let mut operators = heapless::Vec::new();
+        let lifted = ENVIRONMENT.operators();
+        ground_operators(lifted, &task.initial, &atoms, &mut operators)?;
+        Ok(Grounding {
+            operators,
+            initial: atoms.abstract_state(&ENVIRONMENT, &task.initial),
+            goal: atoms.set(task.goal.iter().copied())?,
+            atoms,
+        })
+    }
+
+    /// The task in the abstract.
+    pub fn task(&self) -> AbstractTask<'_> {
+        AbstractTask {
+            operators: &self.operators,
+            initial: self.initial,
+            goal: self.goal,
+        }
+    }
+
+    /// The environment with the task's atoms: world and original sampler.
+    pub fn simulated(&self) -> Simulated<'_, StickButton> {
+        Simulated {
+            environment: &ENVIRONMENT,
+            atoms: &self.atoms,
+        }
+    }
+}

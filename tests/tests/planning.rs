@@ -1,0 +1,435 @@
+//! The planner against recordings of the Predicators framework and brute force.
+
+use critreg::Error;
+use critreg::domain::{Environment, GroundOperator, OperatorId, State, Task};
+use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, PICK_STICK, StickButton};
+use critreg::plan::{
+    Advice, Conclusion, Config, Draw, Drawn, Guide, Planned, Planner, ReasonId, Sampler, Simulated,
+    Skeleton, Unguided,
+};
+use critreg::random::{generator, uniform};
+use critreg_tests::pick::ENVIRONMENT;
+use critreg_tests::plan::ideal::{Ideal, NO_GRASP, OUT_OF_REACH};
+use critreg_tests::plan::record::{self, Run};
+use critreg_tests::plan::{Grounding, Room};
+use rand_core::Rng;
+use rand_pcg::Pcg64;
+
+#[test]
+fn the_framework_s_generator() {
+    let mut count = 0;
+    for mut stream in record::streams() {
+        for expected in &stream.uniforms {
+            assert_eq!(uniform(&mut stream.generator), *expected);
+        }
+        count += 1;
+    }
+    assert_eq!(count, 61);
+}
+
+/// The original sampler, writing down which skeleton is sampled how often.
+struct Tracing<'a> {
+    original: Simulated<'a, StickButton>,
+    skeletons: Vec<(Vec<u16>, u32)>,
+}
+
+impl Sampler<Simulated<'_, StickButton>> for Tracing<'_> {
+    fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
+        let places = draw.skeleton.places();
+        match self.skeletons.last_mut() {
+            Some((last, samples)) if last == places => *samples += 1,
+            _ => self.skeletons.push((places.to_vec(), 1)),
+        }
+        self.original.sample(draw, rng)
+    }
+}
+
+/// The digits of an operator and of its buttons, as recorded.
+fn digits(operator: &GroundOperator, state: &State) -> String {
+    let objects = operator.objects.as_slice().iter();
+    let buttons = objects.filter(|o| state.type_of(**o) == Some(BUTTON_TYPE));
+    let digits = buttons.map(|button| (button.0 - FIRST_BUTTON.0).to_string());
+    std::iter::once(operator.operator.0.to_string())
+        .chain(digits)
+        .collect()
+}
+
+#[test]
+fn every_recorded_run() {
+    let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
+    let mut room = Room::new(10_000);
+    let (mut counts, mut samples) = ([0; 2], 0);
+    for run in record::runs() {
+        samples += replay(&run, &generators[run.planner_seed as usize], &mut room);
+        counts[usize::from(run.solved)] += 1;
+    }
+    let [failed, solved] = counts;
+    println!("{solved} solved and {failed} failed runs with {samples} samples");
+    assert_eq!((solved, failed), (442, 7));
+}
+
+/// Plans the task of a run with the framework's streams of random numbers, and
+/// returns the number of samples.
+fn replay(run: &Run, generator: &Pcg64, room: &mut Room) -> u32 {
+    let grounding = Grounding::new(&run.task).unwrap();
+    let mut world = grounding.simulated();
+    let mut sampler = Tracing {
+        original: world,
+        skeletons: vec![],
+    };
+    let mut planner = Planner {
+        world: &mut world,
+        sampler: &mut sampler,
+        guide: &mut Unguided,
+        config: Config::default(),
+    };
+    let task = grounding.task();
+    let restart = || generator.clone();
+    let planned = planner
+        .plan(task, &run.task.initial, restart(), restart, room.lend())
+        .unwrap();
+    let (metrics, name) = (&planned.metrics, &run.name);
+    let expected = [Conclusion::SkeletonsSpent, Conclusion::Solved][usize::from(run.solved)];
+    assert_eq!(planned.conclusion, expected, "{name}");
+    let counts = [
+        metrics.samples,
+        metrics.skeletons,
+        metrics.nodes_expanded,
+        metrics.nodes_created,
+    ];
+    assert_eq!(counts, run.counts, "{name}");
+
+    let word = |place: u16| digits(&task.operators[usize::from(place)], &run.task.initial);
+    let plan: Vec<_> = planned
+        .steps
+        .iter()
+        .map(|step| (word(step.operator), step.parameters.to_vec()))
+        .collect();
+    assert_eq!(plan, run.plan, "{name}");
+    let actions: u32 = planned.steps.iter().map(|step| step.actions).sum();
+    assert_eq!(actions, run.actions, "{name}");
+    assert_eq!(metrics.plan_length as usize, run.plan.len(), "{name}");
+    if let Some(last) = planned.steps.last() {
+        assert_eq!(last.state, run.end, "{name}: to the last bit");
+        assert!(run.task.is_solved(&ENVIRONMENT, &last.state), "{name}");
+    }
+    assert_eq!(sampler.skeletons.len() as u32, run.counts[1], "{name}");
+    for ((places, samples), recorded) in sampler.skeletons.iter().zip(&run.skeletons) {
+        let words: Vec<_> = places.iter().map(|place| word(*place)).collect();
+        assert_eq!((&words, samples), (&recorded.0, &recorded.1), "{name}");
+    }
+    metrics.samples
+}
+
+/// Draws grasps from the region that the thesis learned, mu <= 0.5.
+struct LowerHalf<'a>(Simulated<'a, StickButton>);
+
+impl<'a> Sampler<Simulated<'a, StickButton>> for LowerHalf<'a> {
+    fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
+        let Drawn::Parameters(mut drawn) = self.0.sample(draw, rng)? else {
+            panic!("the original sampler knows no regions");
+        };
+        let operators = ENVIRONMENT.operators();
+        let operator = &operators[usize::from(draw.operator.operator.0)];
+        if operator.controller == PICK_STICK {
+            // Half of a uniform number, exactly.
+            drawn.iter_mut().for_each(|mu| *mu *= 0.5);
+        }
+        Ok(Drawn::Parameters(drawn))
+    }
+}
+
+#[test]
+fn the_thesis_s_table() {
+    let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
+    let mut room = Room::new(1000);
+    let (mut original, mut learned, mut length) = (vec![], vec![], 0);
+    let is_its = |run: &Run| run.name.starts_with("1-1 buttons, seed 0,");
+    for run in record::runs().filter(is_its) {
+        original.push(run.counts[0]);
+        let grounding = Grounding::new(&run.task).unwrap();
+        let restart = || generators[run.planner_seed as usize].clone();
+        let mut planner = Planner {
+            world: &mut grounding.simulated(),
+            sampler: &mut LowerHalf(grounding.simulated()),
+            guide: &mut Unguided,
+            config: Config::default(),
+        };
+        let (task, initial) = (grounding.task(), &run.task.initial);
+        let planned = planner
+            .plan(task, initial, restart(), restart, room.lend())
+            .unwrap();
+        assert_eq!(planned.conclusion, Conclusion::Solved, "{}", run.name);
+        learned.push(planned.metrics.samples);
+        length += planned.metrics.plan_length;
+    }
+    // Table 6.1: 7.76 samples on average and 230 at most, with the region 2.64 and 17.
+    let sum_and_most = |samples: &[u32]| (samples.iter().sum(), *samples.iter().max().unwrap());
+    assert_eq!((original.len(), length), (50, 77));
+    assert_eq!(sum_and_most(&original), (388, 230));
+    assert_eq!(sum_and_most(&learned), (132, 17));
+}
+
+/// Plans with the library's generator.
+fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide>(
+    initial: &State,
+    grounding: &'m Grounding,
+    (sampler, guide): (&mut S, &mut G),
+    config: Config,
+    room: &'m mut Room,
+) -> Planned<'m, State> {
+    let mut planner = Planner {
+        world: &mut grounding.simulated(),
+        sampler,
+        guide,
+        config,
+    };
+    // Other numbers for each skeleton: longer ones repeat what shorter ones tried.
+    let mut seeds = 2..;
+    let samples = || generator(seeds.next().unwrap());
+    let (task, memory) = (grounding.task(), room.lend());
+    planner
+        .plan(task, initial, generator(1), samples, memory)
+        .unwrap()
+}
+
+/// Random tasks.
+fn tasks(buttons: std::ops::RangeInclusive<usize>, count: usize) -> Vec<Task> {
+    let mut rng = generator(5);
+    (0..count)
+        .map(|_| ENVIRONMENT.task(buttons.clone(), &mut rng).unwrap())
+        .collect()
+}
+
+#[test]
+fn ideal_knowledge_needs_a_sample_per_step() {
+    let mut room = Room::new(10_000);
+    let (mut samples, mut length, mut postponed) = (0, 0, 0);
+    for task in tasks(3..=4, 100) {
+        let grounding = Grounding::new(&task).unwrap();
+        let initial = &task.initial;
+        let mut ideal = Ideal { initial };
+        let hooks = (&mut ideal.clone(), &mut ideal);
+        let planned = plan(
+            &task.initial,
+            &grounding,
+            hooks,
+            Config::default(),
+            &mut room,
+        );
+        assert_eq!(planned.conclusion, Conclusion::Solved);
+        let metrics = &planned.metrics;
+        samples += metrics.samples;
+        length += metrics.plan_length;
+        postponed += metrics.postponed;
+        let reasons: u32 = metrics.reasons().iter().sum();
+        assert_eq!(reasons, metrics.postponed + metrics.empty_draws);
+        let failures: u32 = metrics.failures().iter().sum();
+        assert!(metrics.samples + metrics.empty_draws >= metrics.plan_length + failures);
+    }
+    println!("{samples} samples for {length} steps, {postponed} prefixes postponed");
+    assert!(postponed > 0 && f64::from(samples) <= 1.05 * f64::from(length));
+}
+
+/// Advises against everything that worked in a recorded plan.
+struct Wrong<'a>(&'a Run);
+
+impl Guide for Wrong<'_> {
+    fn judge(&mut self, prefix: Skeleton<'_>) -> Advice {
+        let last = prefix.iter().next_back().unwrap();
+        let word = digits(last, &self.0.task.initial);
+        if self.0.plan.iter().any(|(operator, _)| *operator == word) {
+            Advice::Postpone(ReasonId(0))
+        } else {
+            Advice::Keep
+        }
+    }
+}
+
+#[test]
+fn wrong_advice_to_postpone_costs_no_plan() {
+    let mut room = Room::new(10_000);
+    let mut postponed = 0;
+    // Longer sequences with many picks and places are tried first.
+    let config = Config {
+        max_samples: 1_000_000,
+        ..Config::default()
+    };
+    let easy = |run: &Run| run.task.goal.len() <= 2 && run.counts[0] <= 100;
+    for run in record::runs().filter(easy) {
+        let grounding = Grounding::new(&run.task).unwrap();
+        let hooks = (&mut grounding.simulated(), &mut Wrong(&run));
+        let planned = plan(&run.task.initial, &grounding, hooks, config, &mut room);
+        assert_eq!(planned.conclusion, Conclusion::Solved, "{}", run.name);
+        postponed += planned.metrics.postponed;
+    }
+    assert!(postponed > 0);
+}
+
+#[test]
+fn every_conclusion_tells_what_it_cost() {
+    let task = tasks(1..=1, 100)
+        .into_iter()
+        .find(|task| {
+            // Only the stick reaches the button, so that several samples are needed.
+            let grounding = Grounding::new(task).unwrap();
+            let hooks = (&mut grounding.simulated(), &mut Unguided);
+            let mut room = Room::new(1000);
+            let planned = plan(
+                &task.initial,
+                &grounding,
+                hooks,
+                Config::default(),
+                &mut room,
+            );
+            planned.metrics.samples > 5 && planned.metrics.skeletons == 2
+        })
+        .unwrap();
+    let grounding = Grounding::new(&task).unwrap();
+    let default = Config::default();
+    let cases = [
+        (default, 1000, Conclusion::Solved),
+        (
+            Config {
+                max_samples: 3,
+                ..default
+            },
+            1000,
+            Conclusion::SamplesSpent,
+        ),
+        (
+            Config {
+                max_skeletons: 1,
+                ..default
+            },
+            1000,
+            Conclusion::SkeletonsSpent,
+        ),
+        (
+            Config {
+                max_actions: 1,
+                max_skeletons: 9,
+                ..default
+            },
+            1000,
+            Conclusion::SkeletonsSpent,
+        ),
+        (default, 4, Conclusion::Full("nodes of the search")),
+        (default, 0, Conclusion::Full("nodes of the search")),
+    ];
+    for (config, nodes, conclusion) in cases {
+        let mut room = Room::new(nodes);
+        let hooks = (&mut grounding.simulated(), &mut Unguided);
+        let planned = plan(&task.initial, &grounding, hooks, config, &mut room);
+        assert_eq!(planned.conclusion, conclusion);
+        let metrics = &planned.metrics;
+        assert_eq!(planned.steps.is_empty(), conclusion != Conclusion::Solved);
+        assert!(metrics.samples <= config.max_samples);
+        assert!(metrics.skeletons <= config.max_skeletons);
+        assert_eq!(metrics.nodes_created == 1, nodes == 0);
+        let failed = metrics.most_failed();
+        assert_eq!(failed.is_none(), metrics.samples == 0);
+        assert_eq!(metrics.main_reason(), None);
+    }
+}
+
+#[test]
+fn why_no_plan_was_found() {
+    // A button that neither hand nor stick reaches.
+    let mut task = tasks(1..=1, 1).remove(0);
+    let button = task.initial.attributes_mut(FIRST_BUTTON).unwrap();
+    button[1] = 5.95;
+    let grounding = Grounding::new(&task).unwrap();
+    let initial = &task.initial;
+    let mut ideal = Ideal { initial };
+    let mut room = Room::new(10_000);
+    let config = Config {
+        max_length: 4,
+        ..Config::default()
+    };
+    let hooks = (&mut ideal.clone(), &mut ideal);
+    let planned = plan(&task.initial, &grounding, hooks, config, &mut room);
+    assert_eq!(planned.conclusion, Conclusion::LengthSpent);
+    let metrics = planned.metrics;
+    assert!(metrics.empty_draws > 0);
+    let [by_hand, by_stick] = [OUT_OF_REACH, NO_GRASP].map(|r| metrics.reasons()[usize::from(r.0)]);
+    assert!(by_hand > 0 && by_stick > 0);
+    let main = if by_hand >= by_stick {
+        OUT_OF_REACH
+    } else {
+        NO_GRASP
+    };
+    assert_eq!(metrics.main_reason(), Some(main));
+    let most = metrics.failures().iter().max().unwrap();
+    let OperatorId(failed) = metrics.most_failed().unwrap();
+    assert!(*most > 0 && metrics.failures()[usize::from(failed)] == *most);
+}
+
+#[test]
+fn a_goal_that_holds_needs_no_step_and_one_out_of_reach_ends_the_search() {
+    let task = tasks(1..=1, 1).remove(0);
+    let solved = Task {
+        goal: Default::default(),
+        ..task.clone()
+    };
+    let outcomes = [(&solved, true), (&task, false)].map(|(task, press)| {
+        let mut grounding = Grounding::new(task).unwrap();
+        if !press {
+            // The first four pick and place.
+            grounding.operators.truncate(4);
+        }
+        let mut room = Room::new(100);
+        let hooks = (&mut grounding.simulated(), &mut Unguided);
+        let planned = plan(
+            &task.initial,
+            &grounding,
+            hooks,
+            Config::default(),
+            &mut room,
+        );
+        assert_eq!(planned.steps.len(), 0);
+        assert_eq!(planned.metrics.nodes_created, 1);
+        planned.conclusion
+    });
+    assert_eq!(outcomes, [Conclusion::Solved, Conclusion::Exhausted]);
+}
+
+/// A sampler that breaks down after some draws.
+struct Fragile<'a> {
+    original: Simulated<'a, StickButton>,
+    draws: u32,
+}
+
+impl<'a> Sampler<Simulated<'a, StickButton>> for Fragile<'a> {
+    fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
+        let left = self.draws.checked_sub(1);
+        self.draws = left.ok_or(Error::OutOfSequence("broken"))?;
+        self.original.sample(draw, rng)
+    }
+}
+
+#[test]
+fn an_error_is_passed_on_and_the_memory_stays_usable() {
+    let task = tasks(1..=1, 1).remove(0);
+    let grounding = Grounding::new(&task).unwrap();
+    let mut room = Room::new(1000);
+    let mut results = vec![];
+    for draws in [1000, 0, 1000] {
+        let mut planner = Planner {
+            world: &mut grounding.simulated(),
+            sampler: &mut Fragile {
+                original: grounding.simulated(),
+                draws,
+            },
+            guide: &mut Unguided,
+            config: Config::default(),
+        };
+        let (task, initial) = (grounding.task(), &task.initial);
+        let samples = || generator(2);
+        let planned = planner.plan(task, initial, generator(1), samples, room.lend());
+        results.push(planned.map(|a| (a.conclusion, a.metrics.samples, a.metrics.nodes_created)));
+    }
+    assert_eq!(results[1], Err(Error::OutOfSequence("broken")));
+    assert!(matches!(results[0], Ok((Conclusion::Solved, ..))));
+    assert_eq!(results[0], results[2]);
+}
