@@ -1,6 +1,7 @@
 //! PDDL: grounding against the built-in environment and a naive oracle, writing
 //! against reading, and what is said about wrong texts.
 
+mod full;
 mod oracle;
 mod random;
 mod wrong;
@@ -173,4 +174,46 @@ fn order_and_spelling_of_names() {
     let atoms = grounding.atoms().as_slice().iter();
     let atoms: Vec<_> = atoms.map(|a| problem.atom_text(a).to_string()).collect();
     assert_eq!(atoms, ["(P Y)", "(P z)"]);
+}
+
+/// Length of a shortest plan by breadth-first search; `None` if there is no plan.
+fn shortest_plan([domain, problem]: [&str; 2]) -> Option<usize> {
+    let domain = pddl::Domain::parse(domain).unwrap();
+    let mut memory = [GroundAtom::default(); 64];
+    let problem = pddl::Problem::parse(&domain, problem, &mut memory).unwrap();
+    let grounding = pddl::Grounding::new(&problem).unwrap();
+    let operators: Vec<_> = grounding.operators().collect();
+    let mut layer = BTreeSet::from([grounding.initial()]);
+    let mut seen = layer.clone();
+    for length in 0.. {
+        if layer.iter().any(|state| grounding.goal().is_subset(*state)) {
+            return Some(length);
+        }
+        let after = |state: &AtomSet| {
+            let applicable = operators.iter().filter(|o| o.is_applicable(*state));
+            applicable.map(|o| o.apply(*state)).collect::<Vec<_>>()
+        };
+        let next = layer.iter().flat_map(after);
+        layer = next.filter(|state| seen.insert(*state)).collect();
+        if layer.is_empty() {
+            break;
+        }
+    }
+    None
+}
+
+#[test]
+fn known_shortest_plans() {
+    // Two presses; Sussman's anomaly; two ways there and one back, with two balls in
+    // two hands; both parcels in and out of the drone, which flies once.
+    for (texts, length) in ALL.into_iter().zip([2, 6, 3 + 4 * 2, 5]) {
+        assert_eq!(shortest_plan(texts), Some(length));
+    }
+    let never = DELIVERY[1].replace("(docked bee van))))", "(docked bee lorry))))");
+    assert_ne!(never, DELIVERY[1]);
+    assert_eq!(
+        shortest_plan([DELIVERY[0], &never]),
+        None,
+        "no action docks"
+    );
 }

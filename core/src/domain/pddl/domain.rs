@@ -10,6 +10,10 @@ use crate::error::Error;
 use heapless::Vec;
 
 const DECLARED_TWICE: &str = "this name is declared already";
+const TOO_MANY_ARGUMENTS: &str = "no room left: too many arguments of one predicate or action";
+
+/// The terms of a literal.
+type Terms = Vec<Term, MAX_ARGUMENTS, u8>;
 
 impl<'t> Domain<'t> {
     /// Reads a domain from its text; the grammar stands at the head of the
@@ -131,15 +135,17 @@ impl<'t> Domain<'t> {
                 return Err(entry.at.error(DECLARED_TWICE));
             }
             if own.len() == MAX_ARGUMENTS {
-                return Err(entry.at.error("no room left: more than four arguments"));
+                return Err(entry.at.error(TOO_MANY_ARGUMENTS));
             }
             let variable = Variable {
                 name: entry.name,
                 type_id: self.type_of(&entry)?,
             };
-            self.variables
-                .push(variable)
-                .map_err(|_| entry.at.error("no room left: too many arguments"))?;
+            self.variables.push(variable).map_err(|_| {
+                entry
+                    .at
+                    .error("no room left: too many arguments of all predicates and actions")
+            })?;
         }
         Ok(Span::since(first, &self.variables))
     }
@@ -155,12 +161,13 @@ impl<'t> Domain<'t> {
         }
         let parameters = self.read_variables(reader)?;
         let first = self.literals.len();
-        if reader.accept(":precondition") {
-            reader
-                .conjunction(|reader| self.read_literal(reader, parameters, Part::Precondition))?;
-        }
-        if reader.accept(":effect") {
-            reader.conjunction(|reader| self.read_literal(reader, parameters, Part::Effect))?;
+        for (keyword, part) in [
+            (":precondition", Part::Precondition),
+            (":effect", Part::Effect),
+        ] {
+            if reader.accept(keyword) {
+                reader.conjunction(|reader| self.read_literal(reader, parameters, part))?;
+            }
         }
         reader.expect(")", "expected `:precondition`, then `:effect`, then `)`")?;
         let action = Action {
@@ -184,25 +191,19 @@ impl<'t> Domain<'t> {
             reader.expect("(", "expected `(` behind `not`")?;
         }
         let at = reader.clone();
-        let (relation, terms) = if part == Part::Precondition && reader.accept("=") {
-            (Relation::Equality, self.read_equality(reader, scope)?)
-        } else {
-            let (predicate, terms) =
-                self.read_application(reader, |reader| self.read_term(reader, scope))?;
-            (Relation::Predicate(predicate), terms)
-        };
+        let (relation, terms) = self.read_relation(reader, scope, part)?;
         if negated {
             reader.expect(")", "expected `)` behind what is negated")?;
         }
-        match (part, relation) {
-            (Part::Precondition, Relation::Predicate(_)) if negated => {
-                return Err(at.error("a negative precondition is not supported, except of `=`"));
+        if let Relation::Predicate(predicate) = relation {
+            match self.predicates.get_mut(usize::from(predicate.0)) {
+                Some(changed) if part == Part::Effect => changed.is_static = false,
+                _ if negated => {
+                    let what = "a negative precondition is not supported, except of `=`";
+                    return Err(at.error(what));
+                }
+                _ => {}
             }
-            (Part::Effect, Relation::Predicate(changed)) => {
-                let changed = self.predicates.get_mut(usize::from(changed.0));
-                changed.into_iter().for_each(|p| p.is_static = false);
-            }
-            _ => {}
         }
         let literal = Literal {
             part,
@@ -215,16 +216,22 @@ impl<'t> Domain<'t> {
             .map_err(|_| at.error("no room left: too many preconditions and effects"))
     }
 
-    /// Two terms and the closing bracket.
-    fn read_equality(
+    /// A predicate or, in a precondition, an equality, and the closing bracket.
+    fn read_relation(
         &self,
         reader: &mut Reader<'t>,
         scope: Span,
-    ) -> Result<Vec<Term, MAX_ARGUMENTS, u8>, Error> {
-        let (left, _) = self.read_term(reader, scope)?;
-        let (right, _) = self.read_term(reader, scope)?;
-        reader.expect(")", "expected `)` behind two terms")?;
-        Ok([left, right].into_iter().collect())
+        part: Part,
+    ) -> Result<(Relation, Terms), Error> {
+        if part == Part::Precondition && reader.accept("=") {
+            let (left, _) = self.read_term(reader, scope)?;
+            let (right, _) = self.read_term(reader, scope)?;
+            reader.expect(")", "expected `)` behind two terms")?;
+            return Ok((Relation::Equality, Vec::from_array([left, right])));
+        }
+        let (predicate, terms) =
+            self.read_application(reader, |reader| self.read_term(reader, scope))?;
+        Ok((Relation::Predicate(predicate), terms))
     }
 
     /// A predicate, its arguments as `argument` reads them, each with its type, and
@@ -249,7 +256,7 @@ impl<'t> Domain<'t> {
             // There is room: a predicate has at most as many arguments.
             arguments
                 .push(value)
-                .map_err(|_| at.error("no room left: more than four arguments"))?;
+                .map_err(|_| at.error(TOO_MANY_ARGUMENTS))?;
         }
         reader.expect(")", "expected `)`: the predicate has no more arguments")?;
         Ok((id, arguments))
