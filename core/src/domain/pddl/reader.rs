@@ -175,14 +175,11 @@ impl<'t> Reader<'t> {
     ) -> Result<(), Error> {
         let mut open = 0_usize;
         loop {
-            self.expect(
-                "(",
-                if open > 0 {
-                    "expected `(` or `)`"
-                } else {
-                    "expected `(`"
-                },
-            )?;
+            let what = match open {
+                0 => "expected `(`",
+                _ => "expected `(` or `)`",
+            };
+            self.expect("(", what)?;
             if self.accept("and") {
                 open = open.saturating_add(1);
             } else if !self.accept(")") {
