@@ -8,6 +8,14 @@
 
 use crate::error::Error;
 
+/// Brings the last item to a place, the items from there on moving up by one: an
+/// insertion after a push, without the panic of one out of bounds.
+pub(crate) fn move_last<T>(items: &mut [T], place: usize) {
+    if let Some(tail) = items.get_mut(place..) {
+        tail.rotate_right(1);
+    }
+}
+
 /// A vector over a borrowed slice; pushing to a full one is an error.
 #[derive(Debug)]
 pub struct Table<'m, T> {
@@ -64,6 +72,11 @@ impl<'m, T> Table<'m, T> {
     /// The items.
     pub fn as_slice(&self) -> &[T] {
         self.slots.get(..self.used).unwrap_or(&[])
+    }
+
+    /// The items, for as long as the memory is lent.
+    pub fn into_slice(self) -> &'m [T] {
+        self.slots.get(..self.used).unwrap_or_default()
     }
 
     /// The items, to change.

@@ -4,13 +4,15 @@ use super::atom::{GroundAtom, Groundings, PredicateId};
 use super::environment::Environment;
 use super::state::State;
 use crate::error::Error;
+use crate::table::move_last;
 use heapless::Vec;
 
 /// Most ground atoms over the objects of one task.
 pub const MAX_ATOMS: usize = 128;
 
-/// All ground atoms over the objects of a task: every predicate with every choice
-/// of distinct objects of the right types.
+/// The ground atoms of a task: either every predicate with every choice of distinct
+/// objects of the right types, or those that its operators name
+/// ([`pddl::Grounding`](super::pddl::Grounding)).
 ///
 /// They are in the order of the predicates, then of the objects, the last one
 /// changing fastest. An [`AtomSet`] refers to them by their place.
@@ -18,6 +20,9 @@ pub const MAX_ATOMS: usize = 128;
 pub struct Atoms {
     atoms: Vec<GroundAtom, MAX_ATOMS>,
 }
+
+/// What is full when there are too many.
+const FULL: Error = Error::CapacityExceeded("ground atoms of a task");
 
 impl Atoms {
     /// The atoms over the objects of `state`.
@@ -32,10 +37,25 @@ impl Atoms {
                 let predicate = PredicateId(id);
                 atoms
                     .push(GroundAtom { predicate, objects })
-                    .map_err(|_| Error::CapacityExceeded("ground atoms of a task"))?;
+                    .map_err(|_| FULL)?;
             }
         }
         Ok(Atoms { atoms })
+    }
+
+    /// No atoms yet, for [`Self::insert`].
+    pub(super) const fn none() -> Self {
+        Atoms { atoms: Vec::new() }
+    }
+
+    /// Puts an atom to its place, unless it is there.
+    pub(super) fn insert(&mut self, atom: GroundAtom) -> Result<(), Error> {
+        let Err(place) = self.atoms.binary_search(&atom) else {
+            return Ok(());
+        };
+        self.atoms.push(atom).map_err(|_| FULL)?;
+        move_last(&mut self.atoms, place);
+        Ok(())
     }
 
     /// The atoms in order.

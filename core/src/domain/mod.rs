@@ -7,7 +7,8 @@
 //! *What a planner does*: an [`Environment`] has a simulator, [`Predicate`]s,
 //! [`Operator`]s (Definition 2) and [`Controller`]s; a [`State`] is abstracted to
 //! the [`AtomSet`] of what holds in it (Definition 1), and [`try_operator`] rolls
-//! an operator out and looks at its effects.
+//! an operator out and looks at its effects. Operators and problems can also be
+//! given as text, in PDDL: see [`pddl`].
 //!
 //! # The domain text
 //!
@@ -84,6 +85,7 @@ mod environment;
 mod expression;
 mod group;
 mod operator;
+pub mod pddl;
 mod point_set;
 mod scene;
 mod schema;

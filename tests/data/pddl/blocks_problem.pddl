@@ -1,0 +1,5 @@
+(define (problem sussman)
+  (:domain blocks)
+  (:objects a b c - block)
+  (:init (hand-empty) (on-table a) (on-table b) (on c a) (clear b) (clear c))
+  (:goal (and (on a b) (on b c))))
