@@ -33,9 +33,8 @@ impl<R: Real> Grounded<'_, R> {
     /// nothing was found but emptiness could not be proven.
     pub fn sample(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Theta, Error> {
         let found = match self.parameters() {
-            [] => self
-                .admits(&[R::ZERO; MAX_PARAMETERS])?
-                .then_some([R::ZERO; MAX_PARAMETERS]),
+            [] if self.is_proven_empty()? => return Err(Error::EmptyRegion),
+            [] => Some([R::ZERO; MAX_PARAMETERS]),
             [_] => {
                 let set = self.intervals()?;
                 if set.is_empty() {
@@ -55,8 +54,10 @@ impl<R: Real> Grounded<'_, R> {
     /// # Errors
     /// [`Error::CapacityExceeded`].
     pub fn is_proven_empty(&self) -> Result<bool, Error> {
-        if self.parameters().len() == 1 {
-            return Ok(self.intervals()?.is_empty());
+        match self.parameters() {
+            [] => return Ok(!self.admits(&[R::ZERO; MAX_PARAMETERS])?),
+            [_] => return Ok(self.intervals()?.is_empty()),
+            _ => {}
         }
         let mut search = BoxSearch::new(0);
         Ok(search.next(self)?.is_none() && search.is_complete())
