@@ -21,6 +21,19 @@ impl<R: Real> Default for Span<R> {
 }
 
 impl<R: Real> Span<R> {
+    /// Widens to a value; `false` if it was inside, or is no number.
+    #[inline(always)]
+    pub(super) fn takes_in(&mut self, value: R) -> bool {
+        let (below, above) = (value < self.low, value > self.high);
+        if below {
+            self.low = value;
+        }
+        if above {
+            self.high = value;
+        }
+        below || above
+    }
+
     /// Whether a value lies outside, on one side, by more than rounding: a form
     /// that is constant up to rounding explains nothing.
     #[inline(always)]
