@@ -1,11 +1,18 @@
 //! Taking samples in: S widens, and the sets of excluded samples follow.
 
-use super::{Forms, Known, Sample, Span};
+use super::{Forms, Known, Sample, Span, tolerance};
 use crate::error::Error;
 use crate::real::Real;
 
 /// Neighbouring forms that are looked at together: in most blocks nothing changes.
 const BLOCK: usize = 16;
+
+/// All bits or none: a choice without a branch, so that forms are compared side by
+/// side.
+#[inline(always)]
+fn mask(chosen: bool) -> u64 {
+    u64::from(chosen).wrapping_neg()
+}
 
 /// Whether the value of some form of a block is not in S. Without branches, so that
 /// forms are compared side by side.
@@ -100,11 +107,12 @@ impl<R: Real> Forms<'_, R> {
                 }
                 for (within, (span, right)) in spans.iter_mut().zip(rights).enumerate() {
                     let value = left - *right;
-                    if span.takes_in(value) {
-                        let at = BLOCK * at + within;
-                        let (form, column) = (run.forms.start + at, run.columns.start + at);
+                    let at = BLOCK * at + within;
+                    let (form, column) = (run.forms.start + at, run.columns.start + at);
+                    // The first sample widens both sides.
+                    while let Some(upper) = span.take_in(value) {
                         known.settle_bits(
-                            self.bits, capacity, words, form, run.left, column, span, &own,
+                            self.bits, capacity, words, form, run.left, column, span, upper, &own,
                         );
                     }
                 }
@@ -128,18 +136,12 @@ impl<R: Real> Forms<'_, R> {
             let rights = rights.get(run.columns.clone()).unwrap_or(&[]);
             let below = below.get_mut(run.forms.clone()).unwrap_or(&mut []);
             let above = above.get_mut(run.forms.clone()).unwrap_or(&mut []);
-            let blocks = below.chunks_mut(BLOCK).zip(above.chunks_mut(BLOCK));
-            let blocks = blocks.zip(spans.chunks(BLOCK).zip(rights.chunks(BLOCK)));
-            for ((below, above), (spans, rights)) in blocks {
-                if !any_outside(left, rights, spans) {
-                    continue;
-                }
-                let sides = below.iter_mut().zip(above);
-                for ((span, right), (below, above)) in spans.iter().zip(rights).zip(sides) {
-                    let value = left - *right;
-                    *below |= if span.excludes(value, false) { bit } else { 0 };
-                    *above |= if span.excludes(value, true) { bit } else { 0 };
-                }
+            let sides = below.iter_mut().zip(above);
+            for ((span, right), (below, above)) in spans.iter().zip(rights).zip(sides) {
+                let value = left - *right;
+                let rounding = tolerance(value);
+                *below |= bit & mask(value + rounding < span.low);
+                *above |= bit & mask(value - rounding > span.high);
             }
         }
     }
