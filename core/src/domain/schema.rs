@@ -355,6 +355,21 @@ impl<'t> Domain<'t> {
         })
     }
 
+    /// The name of the object that a point is placed in, directly or not.
+    pub(crate) fn object_of(&self, point: u8) -> Option<&'t str> {
+        let mut base = self.points.get(usize::from(point))?.base;
+        loop {
+            match base {
+                Base::World => return None,
+                Base::Object(object) => {
+                    return self.objects.get(usize::from(object)).map(|o| o.name);
+                }
+                // Bases stand before what is placed in them.
+                Base::Point(earlier) => base = self.points.get(usize::from(earlier))?.base,
+            }
+        }
+    }
+
     /// Which attributes of an object place it.
     pub(super) fn pose_slots(&self, object: u8) -> PoseSlots {
         let object = self.objects.get(usize::from(object));

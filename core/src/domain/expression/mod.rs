@@ -247,6 +247,10 @@ impl Domain<'_> {
         let Ok(node) = node_at(nodes, id) else {
             return Err(fmt::Error);
         };
+        if let Some(negated) = negated(nodes, node) {
+            out.write_char('-')?;
+            return self.write_term(out, nodes, negated, Precedence::Factor);
+        }
         let (a, operator, b, own) = match node {
             Node::Sum(a, b) => (a, " + ", b, Precedence::Sum),
             Node::Difference(a, b) => (a, " - ", b, Precedence::Sum),
@@ -337,6 +341,16 @@ impl Domain<'_> {
         }
         Ok(())
     }
+}
+
+/// What a term is the negative of: `-x` is read as `0 - x`, but `-2` as a number.
+fn negated(nodes: &[Node], node: Node) -> Option<NodeId> {
+    let Node::Difference(zero, term) = node else {
+        return None;
+    };
+    let is_zero = matches!(node_at(nodes, zero), Ok(Node::Number(0.0)));
+    let is_number = matches!(node_at(nodes, term), Ok(Node::Number(_)));
+    (is_zero && !is_number).then_some(term)
 }
 
 #[derive(Clone, Copy, PartialEq, PartialOrd)]

@@ -4,8 +4,8 @@ use super::bound::Bound;
 use super::config::Evidence;
 use super::cover::{Chosen, Cover};
 use super::forms::{Forms, tolerance};
-use super::name::{Name, Named, Scaled, simplest};
-use crate::domain::{Domain, Node, NodeId, copy, intern};
+use super::name::{Name, Named, Scaled, clearance, simplest};
+use crate::domain::{Domain, Node, NodeId, Relation, copy, intern};
 use crate::error::Error;
 use crate::grammar::{Comparison, Formula, Inequality, MAX_COMPLEXITY, MAX_CONSTRAINTS};
 use crate::real::Real;
@@ -101,12 +101,48 @@ fn threshold<R: Real>(
 ) -> (f64, Option<Named>) {
     let outward = |value: R| bound.side.outward(value).to_f64();
     match name(domain, forms, bound) {
-        Some(named) if named.alone => {
+        Some(mut named) if named.alone => {
+            if !is_one_constant(&named) {
+                let clearance = clearance_of(domain, forms, bound, &named);
+                named.name = clearance.unwrap_or(named.name);
+            }
             let value = bound.side.outward(R::from_f64(named.name.value));
             (outward(value.max(bound.inner)), Some(named))
         }
         _ => (outward(bound.middle()), None),
     }
+}
+
+fn is_one_constant(named: &Named) -> bool {
+    named.name.second.is_none() && named.name.first.factor == 1.0
+}
+
+/// The points between which the form of a bound measures, if that is all it does.
+fn distance<R: Real>(forms: &Forms<'_, R>, bound: &Bound<R>) -> Option<[u8; 2]> {
+    let (left, right) = forms.terms(&bound.side);
+    match forms.features().nodes().get(usize::from(left.0))? {
+        Node::Distance(_, a, b) | Node::Extreme(_, Relation::Distance(_, a, b)) => {
+            right.is_none().then_some([*a, *b])
+        }
+        _ => None,
+    }
+}
+
+/// Another name of the same value that says a distance as a sum of sizes.
+fn clearance_of<R: Real>(
+    domain: &Domain<'_>,
+    forms: &Forms<'_, R>,
+    bound: &Bound<R>,
+    named: &Named,
+) -> Option<Name> {
+    let points = distance(forms, bound)?;
+    let (left, _) = forms.terms(&bound.side);
+    let dimension = domain.dimension(forms.features().nodes(), left)?;
+    clearance(domain, dimension, named.name.value, |constant| {
+        let owner = constant.name.split('.').next();
+        let owners = points.iter().filter_map(|p| domain.object_of(*p));
+        owners.into_iter().any(|object| Some(object) == owner)
+    })
 }
 
 /// The simplest name between the ends of a bound.

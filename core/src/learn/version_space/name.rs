@@ -110,11 +110,47 @@ pub(super) fn simplest(
                     });
                 }
                 Some(first) => {
-                    let apart = name.value - first.name.value;
-                    first.alone &= (-1e-9..=1e-9).contains(&apart);
+                    first.alone &= is_same(name.value, first.name.value);
                 }
             }
         });
         found
     })
+}
+
+/// The most physical sum of sizes with this value: things that keep clear of each
+/// other keep between them whole or half sizes, and one of them is `own`.
+pub(super) fn clearance(
+    domain: &Domain<'_>,
+    dimension: Dimension,
+    value: f64,
+    own: impl Fn(&Constant<'_>) -> bool,
+) -> Option<Name> {
+    let strangeness = |s: &Scaled| usize::from(s.factor != 1.0 && s.factor != 0.5);
+    let is_own = |s: &Scaled| {
+        domain
+            .constants()
+            .get(usize::from(s.constant))
+            .is_some_and(&own)
+    };
+    let mut found: Option<(usize, Name)> = None;
+    for complexity in 3..=MAX_COMPLEXITY {
+        for_each(domain, dimension, complexity, &mut |name| {
+            let Some((second, false)) = name.second else {
+                return;
+            };
+            let parts = [name.first, second];
+            let strange = parts.iter().map(strangeness).sum::<usize>();
+            let strange = strange + usize::from(!parts.iter().any(is_own));
+            let better = found.as_ref().is_none_or(|(least, _)| strange < *least);
+            if is_same(name.value, value) && better {
+                found = Some((strange, name));
+            }
+        });
+    }
+    found.map(|(_, name)| name)
+}
+
+fn is_same(a: f64, b: f64) -> bool {
+    (-1e-9..=1e-9).contains(&(a - b))
 }
