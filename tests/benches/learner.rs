@@ -9,10 +9,12 @@ use critreg::learn::{Answer, Learner, Problem, Query, VersionSpace, learn_region
 use critreg::random::{generator, uniform};
 use critreg_tests::report::{self, VersionSpaceRoom};
 
+const BOXES: usize = 16;
+
 /// A domain with so many objects that its forms fill any room, and some parameters.
 fn crowded(parameters: usize) -> Domain<'static> {
     let mut text = String::new();
-    for index in 0..8 {
+    for index in 0..BOXES {
         text += &format!("object box{index} {{ x: length, y: length }}\n");
     }
     text += "constant margin = 0.25: length\n";
@@ -25,7 +27,9 @@ fn crowded(parameters: usize) -> Domain<'static> {
 
 fn crowd(seed: u64, count: usize) -> Vec<f64> {
     let mut rng = generator(seed);
-    (0..16 * count).map(|_| 4.0 * uniform(&mut rng)).collect()
+    (0..2 * BOXES * count)
+        .map(|_| 4.0 * uniform(&mut rng))
+        .collect()
 }
 
 fn room(forms: usize, observations: usize, instances: usize) -> VersionSpaceRoom {
@@ -73,6 +77,8 @@ fn tell(c: &mut Criterion) {
                     let mut learner =
                         VersionSpace::<f64>::new(&domain, config, capacity, room.lend())
                             .expect("room");
+                    learner.ask(&problem).expect("not finished");
+                    assert_eq!(learner.report().forms, forms, "the room is full");
                     for _ in 0..told {
                         let query = learner.ask(&problem).expect("not finished");
                         let answer = is_left_of_box(&problem, &query);

@@ -62,6 +62,7 @@ mod deliberate;
 mod explain;
 mod forms;
 mod greedy;
+mod membership;
 mod name;
 mod question;
 mod set;
@@ -70,6 +71,7 @@ pub use certificate::Certificate;
 pub use config::{Capacity, Config, Evidence, Memory, Report};
 pub use cover::Cover;
 pub use forms::{Sample, Span};
+pub use membership::Membership;
 
 use super::log::Observation;
 use super::problem::Problem;
