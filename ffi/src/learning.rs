@@ -1,5 +1,6 @@
 //! Asking and telling.
 
+use crate::handle;
 use crate::learner::{Inner, critreg_learner, problem, with_learner};
 use crate::pointer::{self, Output, OutputArray};
 use crate::region::critreg_region;
@@ -249,7 +250,7 @@ pub unsafe extern "C" fn critreg_is_finished(
     finished: *mut i32,
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise.
-    let answer = unsafe { critreg_learner::open(learner) }.and_then(|handle| {
+    let answer = unsafe { handle::open(learner) }.and_then(|handle| {
         // SAFETY: as above.
         let output = unsafe { Output::new(finished, "finished")? };
         output.write(i32::from(handle.finished.get()));
@@ -296,7 +297,7 @@ pub unsafe extern "C" fn critreg_learner_report(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let handle = critreg_learner::open(learner);
+        let handle = handle::open(learner);
         status_of(handle.and_then(|handle| structs::write(handle.report.get(), report, "report")))
     }
 }
@@ -329,7 +330,7 @@ pub unsafe extern "C" fn critreg_learner_message(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let handle = critreg_learner::open(learner);
+        let handle = handle::open(learner);
         status_of(
             handle
                 .and_then(|handle| text::write(&Message(handle.message.get()), text, len, needed)),

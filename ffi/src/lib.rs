@@ -24,7 +24,7 @@
 //!
 //! # Why it is sound
 //! - The parts of a handle are cut out of the caller's memory without overlap
-//!   (the `memory` and `plan` modules compute their places and nothing else does), so no
+//!   (the `memory` and `layout` modules compute their places and nothing else does), so no
 //!   reference to one covers another. `'static` in their types means: as long as
 //!   the caller lends the memory, which the header makes the caller's promise.
 //! - All that a learner changes is behind a `RefCell`. A callback that calls back
@@ -56,10 +56,11 @@ mod any;
 pub mod check;
 pub mod config;
 pub mod constraint;
+mod handle;
+mod layout;
 pub mod learner;
 pub mod learning;
 pub mod memory;
-mod plan;
 mod pointer;
 pub mod region;
 pub mod report;

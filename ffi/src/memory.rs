@@ -1,6 +1,6 @@
-//! How much memory a handle takes, and where its parts lie in it. One plan
-//! answers the question for the size and cuts the memory up. Regions stand here,
-//! learners in `plan`.
+//! How much memory a handle takes, and where its parts lie in it. One layout
+//! answers the question for the size and cuts the memory up. Those of regions stand
+//! here, those of learners in `layout`.
 
 use crate::region::critreg_region;
 use crate::status::{Failure, Fallible};
@@ -55,7 +55,7 @@ const _: () = assert!(CRITREG_MAX_INTERVALS == 2 * MAX_CONSTRAINTS + 2);
 /// Alignment of all handles: memory made of `uint64_t` always fits.
 pub(crate) const ALIGNMENT: usize = align_of::<u64>();
 
-/// Some values of one type at their place in a plan.
+/// Some values of one type at their place in a layout.
 pub(crate) struct Part<T> {
     offset: usize,
     count: usize,
@@ -66,10 +66,10 @@ impl<T> Part<T> {
     /// Where the first value lies.
     ///
     /// # Safety
-    /// `memory` is aligned to [`ALIGNMENT`] and as long as the plan that the part
+    /// `memory` is aligned to [`ALIGNMENT`] and as long as the layout that the part
     /// belongs to.
     pub(crate) unsafe fn place(&self, memory: *mut u8) -> *mut T {
-        // SAFETY: the plan put the part inside of the memory.
+        // SAFETY: the layout put the part inside of the memory.
         unsafe { memory.add(self.offset).cast() }
     }
 
@@ -94,11 +94,11 @@ impl<T> Part<T> {
 }
 
 /// Counts bytes while parts are put one behind the other.
-pub(crate) struct Planner {
+pub(crate) struct Packer {
     pub(crate) size: usize,
 }
 
-impl Planner {
+impl Packer {
     /// Appends values; `None` if memory cannot be that long.
     pub(crate) const fn append<T>(&mut self, count: usize) -> Option<Part<T>> {
         const { assert!(align_of::<T>() <= ALIGNMENT) };
@@ -122,8 +122,8 @@ impl Planner {
 
 /// Appends a part or leaves the function with `None` (`?` is not const).
 macro_rules! append {
-    ($planner:ident, $count:expr) => {
-        match $planner.append($count) {
+    ($packer:ident, $count:expr) => {
+        match $packer.append($count) {
             Some(part) => part,
             None => return None,
         }
@@ -132,23 +132,23 @@ macro_rules! append {
 pub(crate) use append;
 
 /// The parts of a region with memory of its own.
-pub(crate) struct RegionPlan {
+pub(crate) struct RegionLayout {
     pub(crate) handle: Part<critreg_region>,
-    pub(crate) domain: DomainPlan,
+    pub(crate) domain: DomainLayout,
     pub(crate) size: usize,
 }
 
 /// A domain and the text that it borrows its names from.
-pub(crate) struct DomainPlan {
+pub(crate) struct DomainLayout {
     domain: Part<Domain<'static>>,
     text: Part<u8>,
 }
 
-impl DomainPlan {
-    pub(crate) const fn new(planner: &mut Planner) -> Option<DomainPlan> {
-        Some(DomainPlan {
-            domain: append!(planner, 1),
-            text: append!(planner, CRITREG_DOMAIN_TEXT_MAX),
+impl DomainLayout {
+    pub(crate) const fn new(packer: &mut Packer) -> Option<DomainLayout> {
+        Some(DomainLayout {
+            domain: append!(packer, 1),
+            text: append!(packer, CRITREG_DOMAIN_TEXT_MAX),
         })
     }
 
@@ -180,17 +180,17 @@ impl DomainPlan {
     }
 }
 
-impl RegionPlan {
-    pub(crate) const fn new() -> Option<RegionPlan> {
-        let mut planner = Planner { size: 0 };
-        let handle = append!(planner, 1);
-        let Some(domain) = DomainPlan::new(&mut planner) else {
+impl RegionLayout {
+    pub(crate) const fn new() -> Option<RegionLayout> {
+        let mut packer = Packer { size: 0 };
+        let handle = append!(packer, 1);
+        let Some(domain) = DomainLayout::new(&mut packer) else {
             return None;
         };
-        Some(RegionPlan {
+        Some(RegionLayout {
             handle,
             domain,
-            size: planner.size,
+            size: packer.size,
         })
     }
 }
@@ -198,7 +198,7 @@ impl RegionPlan {
 // The macro of the header promises enough memory; on every target that is built.
 const _: () = {
     const POINTERS: usize = CRITREG_HANDLE_POINTERS * size_of::<*const u8>();
-    let Some(region) = RegionPlan::new() else {
+    let Some(region) = RegionLayout::new() else {
         panic!()
     };
     assert!(CRITREG_REGION_FIXED_BYTES + POINTERS >= region.size);
