@@ -254,6 +254,34 @@
                               CRITREG_DEFAULT_INSTANCES, 1)
 
 /**
+ * How many uint64_t make the memory of a planner with room for so many bytes of
+ * PDDL, ground operators, nodes of the search, steps of a plan and numbers of a
+ * state, for static arrays; see critreg_planner_config.
+ * critreg_planner_size() tells the exact number of bytes.
+ */
+#define CRITREG_PLANNER_WORDS_FOR(pddl_bytes, operators, nodes, length,        \
+                                  state_len)                                   \
+    ((CRITREG_PLANNER_FIXED_BYTES + CRITREG_PLANNER_POINTERS * sizeof(void *)  \
+      + 2 * (size_t)(pddl_bytes)                                               \
+      + (size_t)(operators) * CRITREG_OPERATOR_BYTES                           \
+      + (size_t)(nodes) * CRITREG_NODE_BYTES                                   \
+      + (size_t)(length)                                                       \
+            * (CRITREG_PLAN_STEP_BYTES                                         \
+               + CRITREG_PLAN_STEP_POINTERS * sizeof(void *))                  \
+      + 8 * ((size_t)(length) + 1) * (size_t)(state_len) + 7) / 8)
+
+/**
+ * The same with the other capacities as a configuration has them unless it tells.
+ *
+ *     static uint64_t memory[CRITREG_PLANNER_WORDS(13)];
+ */
+#define CRITREG_PLANNER_WORDS(state_len)                                       \
+    CRITREG_PLANNER_WORDS_FOR(CRITREG_DEFAULT_PDDL_BYTES,                      \
+                              CRITREG_DEFAULT_OPERATORS,                       \
+                              CRITREG_DEFAULT_NODES,                           \
+                              CRITREG_DEFAULT_PLAN_LENGTH, state_len)
+
+/**
  * How many uint64_t make the memory of a region that belongs to no learner.
  *
  *     static uint64_t memory[CRITREG_REGION_WORDS];
@@ -312,6 +340,39 @@
  * Bytes of a step; for CRITREG_LEARNER_WORDS.
  */
 #define CRITREG_STEP_BYTES 5376
+
+/**
+ * Bytes of a planner that do not depend on its capacity, apart from pointers; for
+ * CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_PLANNER_FIXED_BYTES 11776
+
+/**
+ * Pointers of a planner that do not depend on its capacity; for
+ * CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_PLANNER_POINTERS 1040
+
+/**
+ * Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_OPERATOR_BYTES 76
+
+/**
+ * Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_NODE_BYTES 50
+
+/**
+ * Bytes of a step of the longest plan, apart from its state and pointers; for
+ * CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_PLAN_STEP_BYTES 88
+
+/**
+ * Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_PLAN_STEP_POINTERS 7
 
 /**
  * Most parameters of an action: an array for theta of this length fits every
@@ -382,6 +443,120 @@
 #define CRITREG_MAX_OBSERVATIONS 2048
 
 /**
+ * For critreg_planner_config.heuristic: LM-cut (Helmert and Domshlak 2009), the
+ * default. Never too high, so that shorter sequences come before longer ones.
+ */
+#define CRITREG_LM_CUT 1
+
+/**
+ * For critreg_planner_config.heuristic: h-max (Bonet and Geffner 2001), never
+ * above LM-cut.
+ */
+#define CRITREG_H_MAX 2
+
+/**
+ * For critreg_planner_config.heuristic: h-add (Bonet and Geffner 2001). It may be
+ * too high, so that longer sequences can come before shorter ones.
+ */
+#define CRITREG_H_ADD 3
+
+/**
+ * For critreg_planner_config.heuristic: none. The search is breadth first.
+ */
+#define CRITREG_BLIND 4
+
+/**
+ * Most objects of an atom, and most parameters of a PDDL action.
+ */
+#define CRITREG_MAX_ARGUMENTS 4
+
+/**
+ * Most operators in a plan, and in a sequence of them.
+ */
+#define CRITREG_MAX_PLAN_LENGTH 128
+
+/**
+ * Operators in the longest plan unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_PLAN_LENGTH 32
+
+/**
+ * Bytes for PDDL texts that a planner has room for unless the configuration
+ * tells.
+ */
+#define CRITREG_DEFAULT_PDDL_BYTES 8192
+
+/**
+ * Ground operators that a planner has room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_OPERATORS 256
+
+/**
+ * Nodes of the search that a planner has room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_NODES 4096
+
+/**
+ * Longest domain or problem text of a planner in bytes, with its NUL.
+ */
+#define CRITREG_PDDL_TEXT_MAX 65536
+
+/**
+ * How many reasons are counted one by one: numbers below this. A callback that
+ * gives others, or none, is counted in critreg_metrics.uncounted.
+ */
+#define CRITREG_MAX_REASONS 64
+
+/**
+ * No reason was given.
+ */
+#define CRITREG_NO_REASON 65535
+
+/**
+ * For critreg_metrics.conclusion: nothing was planned yet, or the call was refused
+ * before planning began.
+ */
+#define CRITREG_NOT_PLANNED 0
+
+/**
+ * There is a plan.
+ */
+#define CRITREG_SOLVED 1
+
+/**
+ * No further sequence of operators reaches the goal: there is no plan, or it was
+ * pruned, or it needs other samples.
+ */
+#define CRITREG_EXHAUSTED 2
+
+/**
+ * Likewise, but some sequences were not extended beyond
+ * critreg_planner_config.max_length.
+ */
+#define CRITREG_LENGTH_SPENT 3
+
+/**
+ * critreg_planner_config.max_skeletons were refined in vain.
+ */
+#define CRITREG_SKELETONS_SPENT 4
+
+/**
+ * critreg_planner_config.max_samples were drawn.
+ */
+#define CRITREG_SAMPLES_SPENT 5
+
+/**
+ * The memory is full; critreg_planner_message() says which.
+ */
+#define CRITREG_MEMORY_FULL 6
+
+/**
+ * A callback stopped planning. Then the counts are 0, except those of
+ * critreg_planner_failures() and critreg_planner_reasons().
+ */
+#define CRITREG_STOPPED 7
+
+/**
  * Option of the stick-button environment: robot and stick can turn, and lie at
  * any angle in new tasks. Without it all angles are pi/2, as in the thesis.
  */
@@ -391,6 +566,11 @@
  * A learner. It lies at the start of the memory it was made in.
  */
 typedef struct critreg_learner critreg_learner;
+
+/**
+ * A planner for one problem. It lies at the start of the memory it was made in.
+ */
+typedef struct critreg_planner critreg_planner;
 
 /**
  * A region: the parameters with which an action is expected to work, as
@@ -681,6 +861,368 @@ typedef struct critreg_rng {
 } critreg_rng;
 
 /**
+ * How to plan, how long, and with how much memory. Fill it with
+ * critreg_planner_config_init(), set state_len, and change what you like. Nothing
+ * in it is kept after critreg_planner_init() returns.
+ *
+ * Budgets are counts, not times: the same inputs end in the same way on every
+ * machine.
+ */
+typedef struct critreg_planner_config {
+    /**
+     * Size of this struct in bytes, from critreg_planner_config_init().
+     */
+    uint32_t struct_size;
+    /**
+     * What guides the search: CRITREG_LM_CUT, the default, CRITREG_H_MAX,
+     * CRITREG_H_ADD or CRITREG_BLIND.
+     */
+    uint32_t heuristic;
+    /**
+     * Numbers of a state, at least 1. Default 0, which is refused: say how many.
+     */
+    uint32_t state_len;
+    /**
+     * Most plan skeletons to refine. Default 1000.
+     */
+    uint32_t max_skeletons;
+    /**
+     * Tries of a step with parameters before an earlier one is tried again; a
+     * step without any has one. Default 10.
+     */
+    uint32_t max_tries;
+    /**
+     * Most operators in a plan, from 1 to CRITREG_MAX_PLAN_LENGTH; each takes
+     * memory for a state. Default CRITREG_DEFAULT_PLAN_LENGTH.
+     */
+    uint32_t max_length;
+    /**
+     * Most low-level actions in a plan, as execute counts them. Default 100.
+     */
+    uint32_t max_actions;
+    /**
+     * Most calls of execute. Default 10000.
+     */
+    uint32_t max_samples;
+    /**
+     * How many nodes are expanded and samples drawn before nothing is postponed
+     * any more. So wrong advice to postpone costs effort, but no plan. Default 256.
+     */
+    uint32_t patience;
+    /**
+     * Bytes to have room for in the domain and problem text together, their NULs
+     * included. Default CRITREG_DEFAULT_PDDL_BYTES.
+     */
+    uint32_t pddl_bytes;
+    /**
+     * Ground operators to have room for: every choice of objects for every PDDL
+     * action that the static preconditions admit. One with more than eight
+     * preconditions and add effects counts for several. Default
+     * CRITREG_DEFAULT_OPERATORS.
+     */
+    uint32_t operators;
+    /**
+     * Nodes of the search to have room for: sequences of operators that are
+     * created. Default CRITREG_DEFAULT_NODES.
+     */
+    uint32_t nodes;
+} critreg_planner_config;
+
+/**
+ * A ground atom or a ground operator: a predicate, or a PDDL action, with its
+ * objects.
+ *
+ * Names are spelled as where they are declared, ended by NUL, and stay where they
+ * are as long as the planner does.
+ */
+typedef struct critreg_ground {
+    /**
+     * Name of the predicate or action.
+     */
+    const char *name;
+    /**
+     * Names of its objects, in order; NULL beyond the last.
+     */
+    const char *object_names[CRITREG_MAX_ARGUMENTS];
+    /**
+     * Which predicate or action it is: 0 for the first in the domain text.
+     */
+    uint32_t index;
+    /**
+     * How many objects it has.
+     */
+    uint32_t object_count;
+    /**
+     * Which objects: places among all objects and constants of the problem in the
+     * order of their names (by ASCII code, without regard to case); 0 beyond the
+     * last.
+     */
+    uint32_t objects[CRITREG_MAX_ARGUMENTS];
+} critreg_ground;
+
+/**
+ * Runs the controller of an operator in the program's simulator.
+ *
+ * This and the other callbacks of a planner must return: no longjmp(), no C++
+ * exception may leave them. They may not touch the memory of the planner, nor call
+ * functions on it other than those that take it as const; the others return
+ * CRITREG_BUSY. If one returns anything but CRITREG_OK, planning stops and
+ * critreg_plan() returns that.
+ *
+ * @param user_data What the program passed to critreg_plan().
+ * @param ground The operator and its objects.
+ * @param parameters Its parameters: one number each.
+ * @param before The state before.
+ * @param after Holds a copy of it; receives the state afterwards, which may be
+ * any if the operator fails.
+ * @param len How many numbers a state has.
+ * @param actions Receives how many low-level actions it took, at least 1; or 0,
+ * which it is set to already, if the operator failed.
+ * @return CRITREG_OK, also if the operator failed; CRITREG_CANCELLED, or
+ * CRITREG_USER_STATUS and above.
+ */
+typedef critreg_status (*critreg_execute)(void *user_data,
+                                          const struct critreg_ground *ground,
+                                          const double *parameters,
+                                          const double *before,
+                                          double *after,
+                                          size_t len,
+                                          uint32_t *actions);
+
+/**
+ * Tells whether an atom holds in a state.
+ *
+ * @param user_data What the program passed to critreg_plan().
+ * @param ground The atom: a predicate and its objects.
+ * @param state The state.
+ * @param len How many numbers it has.
+ * @param holds Receives 1 or 0.
+ * @return CRITREG_OK, or what shall stop planning.
+ */
+typedef critreg_status (*critreg_holds)(void *user_data,
+                                        const struct critreg_ground *ground,
+                                        const double *state,
+                                        size_t len,
+                                        int32_t *holds);
+
+/**
+ * A step of a plan skeleton whose parameters are to be drawn.
+ */
+typedef struct critreg_draw {
+    /**
+     * The operators of the whole skeleton: what comes later may narrow what is
+     * good now.
+     */
+    const struct critreg_ground *skeleton;
+    /**
+     * How many there are.
+     */
+    size_t length;
+    /**
+     * The step to draw for, from 0: its operator is skeleton[step].
+     */
+    size_t step;
+    /**
+     * The state before it.
+     */
+    const double *state;
+    /**
+     * How many numbers it has.
+     */
+    size_t state_len;
+    /**
+     * How many parameters are to be drawn: the ranges of
+     * critreg_planner_set_ranges(). May be 0.
+     */
+    size_t parameter_count;
+    /**
+     * Which try of the step in this state it is, from 1.
+     */
+    uint32_t attempt;
+} critreg_draw;
+
+/**
+ * Draws the parameters of a step, for instance with critreg_sample_regions().
+ * Asked for operators without parameters, too: it may know that they cannot work.
+ *
+ * @param user_data What the program passed to critreg_plan().
+ * @param draw The step to draw for.
+ * @param rng Random numbers. They follow from the seed of critreg_plan().
+ * @param parameters Receives the parameters, within their ranges. The planner
+ * rounds them to single precision.
+ * @param reason Receives why there are none; holds CRITREG_NO_REASON.
+ * @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters work in this state,
+ * upon which an earlier step is tried again; or what shall stop planning.
+ */
+typedef critreg_status (*critreg_sample)(void *user_data,
+                                         const struct critreg_draw *draw,
+                                         struct critreg_rng *rng,
+                                         double *parameters,
+                                         uint32_t *reason);
+
+/**
+ * What to do with a sequence of operators: CRITREG_KEEP, CRITREG_POSTPONE or
+ * CRITREG_PRUNE.
+ */
+typedef int32_t critreg_advice;
+
+/**
+ * Advises the search before anything is sampled for a sequence of operators. It is
+ * asked when the search comes to the sequence; all shorter prefixes were kept.
+ *
+ * @param user_data What the program passed to critreg_plan().
+ * @param prefix The operators so far.
+ * @param length How many there are, at least 1.
+ * @param initial The state that planning begins in.
+ * @param len How many numbers it has.
+ * @param advice Receives what to do; holds CRITREG_KEEP.
+ * @param reason Receives why, unless it is kept; holds CRITREG_NO_REASON.
+ * @return CRITREG_OK, or what shall stop planning.
+ */
+typedef critreg_status (*critreg_advise)(void *user_data,
+                                         const struct critreg_ground *prefix,
+                                         size_t length,
+                                         const double *initial,
+                                         size_t len,
+                                         critreg_advice *advice,
+                                         uint32_t *reason);
+
+/**
+ * What a planner asks the program. Fill it with critreg_callbacks_init() and set
+ * at least execute and holds.
+ */
+typedef struct critreg_callbacks {
+    /**
+     * Size of this struct in bytes, from critreg_callbacks_init().
+     */
+    uint32_t struct_size;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
+    /**
+     * Runs operators. Must be set.
+     */
+    critreg_execute execute;
+    /**
+     * Tells what holds. Must be set.
+     */
+    critreg_holds holds;
+    /**
+     * Draws parameters. NULL, the default: uniform over their ranges.
+     */
+    critreg_sample sample;
+    /**
+     * Advises the search. NULL, the default: everything is kept.
+     */
+    critreg_advise advise;
+} critreg_callbacks;
+
+/**
+ * A step of a plan.
+ */
+typedef struct critreg_step {
+    /**
+     * Size of this struct in bytes, from critreg_step_init().
+     */
+    uint32_t struct_size;
+    /**
+     * How many low-level actions it takes.
+     */
+    uint32_t actions;
+    /**
+     * The operator and its objects.
+     */
+    struct critreg_ground ground;
+    /**
+     * How many parameters it has.
+     */
+    size_t parameter_count;
+    /**
+     * Its parameters, as execute got them; 0 beyond the last.
+     */
+    double parameters[CRITREG_MAX_PARAMETERS];
+    /**
+     * The state afterwards. It belongs to the planner and stays until the next
+     * critreg_plan().
+     */
+    const double *state;
+} critreg_step;
+
+/**
+ * What the last critreg_plan() cost, and what stood in its way.
+ */
+typedef struct critreg_metrics {
+    /**
+     * Size of this struct in bytes, from critreg_metrics_init().
+     */
+    uint32_t struct_size;
+    /**
+     * How planning ended: CRITREG_SOLVED or another code.
+     */
+    uint32_t conclusion;
+    /**
+     * Operators in the plan.
+     */
+    uint32_t plan_length;
+    /**
+     * Tries of a step: parameters were drawn and execute was called. Steps
+     * without parameters count too, so the length of the plan is the least.
+     */
+    uint32_t samples;
+    /**
+     * Plan skeletons that were refined.
+     */
+    uint32_t skeletons;
+    /**
+     * Sequences of operators that were extended by one.
+     */
+    uint32_t nodes_expanded;
+    /**
+     * Sequences of operators that were created, the empty one included.
+     */
+    uint32_t nodes_created;
+    /**
+     * Sequences that advise pruned.
+     */
+    uint32_t pruned;
+    /**
+     * Sequences that advise postponed.
+     */
+    uint32_t postponed;
+    /**
+     * Sequences that were not extended because of their length.
+     */
+    uint32_t cut_off;
+    /**
+     * Draws that ended with CRITREG_EMPTY_REGION.
+     */
+    uint32_t empty_draws;
+    /**
+     * Reasons that were not given, or not below CRITREG_MAX_REASONS.
+     */
+    uint32_t uncounted;
+    /**
+     * Low-level actions that execute told of.
+     */
+    uint64_t actions;
+    /**
+     * The PDDL action whose steps failed most often; NULL if none did. The name
+     * stays where it is as long as the planner does.
+     */
+    const char *most_failed;
+    /**
+     * The reason that was given most often: why no plan was found.
+     * CRITREG_NO_REASON if none was.
+     */
+    uint32_t main_reason;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
+} critreg_metrics;
+
+/**
  * The call did what it promises.
  */
 #define CRITREG_OK 0
@@ -754,7 +1296,7 @@ typedef struct critreg_rng {
 #define CRITREG_CORRUPT 13
 
 /**
- * A callback called back into the learner that is calling it.
+ * A callback called back into the learner or planner that is calling it.
  */
 #define CRITREG_BUSY 14
 
@@ -768,6 +1310,12 @@ typedef struct critreg_rng {
  * copied, or the learner of a region went on.
  */
 #define CRITREG_NOT_A_HANDLE 16
+
+/**
+ * No plan was found: critreg_planner_metrics() tells how planning ended and what
+ * stood in the way.
+ */
+#define CRITREG_NO_PLAN 17
 
 /**
  * From here on the codes belong to the program: a callback may return any of
@@ -785,6 +1333,23 @@ typedef struct critreg_rng {
  * later steps are 2, 3 and so on.
  */
 #define CRITREG_INFEASIBLE 1
+
+/**
+ * Go on with it.
+ */
+#define CRITREG_KEEP 0
+
+/**
+ * Try everything else before, until critreg_planner_config.patience is at its end.
+ * The right advice from knowledge that may be wrong, such as a learned region.
+ */
+#define CRITREG_POSTPONE 1
+
+/**
+ * Drop it, with everything that begins with it. For what is certain: a plan may
+ * be lost.
+ */
+#define CRITREG_PRUNE 2
 
 #ifdef __cplusplus
 extern "C" {
@@ -1399,6 +1964,225 @@ struct critreg_rng critreg_rng_seed(uint64_t seed);
  * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
  */
 critreg_status critreg_rng_uniform(struct critreg_rng *rng, double *number);
+
+/**
+ * Fills a configuration with the defaults.
+ *
+ * @param config The configuration.
+ * @param size sizeof *config, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_planner_config_init(struct critreg_planner_config *config,
+                                           size_t size);
+
+/**
+ * How many bytes of memory a planner takes.
+ *
+ * Where the capacities are constants, CRITREG_PLANNER_WORDS() sizes a static array
+ * instead.
+ *
+ * @param config What the planner is to do, with its capacities.
+ * @return The number of bytes; 0 if the configuration is wrong or memory cannot be
+ * that large.
+ */
+size_t critreg_planner_size(const struct critreg_planner_config *config);
+
+/**
+ * The alignment in bytes that the memory of a planner needs. An array of uint64_t
+ * and what malloc() returns have it.
+ */
+size_t critreg_planner_align(void);
+
+/**
+ * Makes a planner for a problem, in memory of the program.
+ *
+ * Operators and problem come as PDDL, see PLANNING above. Operators have no
+ * parameters until critreg_planner_set_ranges() says so.
+ *
+ * A planner needs no end: to plan another problem, make another planner in the
+ * same memory.
+ *
+ * @param memory Memory for the planner, aligned to critreg_planner_align(). From
+ * now on it belongs to the planner: do not write to it, move it or copy it.
+ * @param memory_len Its length in bytes, at least critreg_planner_size().
+ * @param domain The PDDL domain, ended by NUL. Copied.
+ * @param problem A PDDL problem of that domain, ended by NUL. Copied.
+ * @param config How to plan, with the length of a state. Copied.
+ * @param planner Receives the handle, which lies at the start of the memory.
+ * @return CRITREG_TOO_SMALL if the memory is too short for the capacities;
+ * CRITREG_SYNTAX_ERROR (ask critreg_check_pddl() where);
+ * CRITREG_CAPACITY_EXCEEDED if the texts, the ground operators or the ground atoms
+ * find no room; CRITREG_INVALID_ARGUMENT for a wrong configuration or a text that
+ * is not UTF-8; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ */
+critreg_status critreg_planner_init(void *memory,
+                                    size_t memory_len,
+                                    const char *domain,
+                                    const char *problem,
+                                    const struct critreg_planner_config *config,
+                                    struct critreg_planner **planner);
+
+/**
+ * Says which continuous parameters the operators of a PDDL action have. Before,
+ * and with a count of 0, they have none.
+ *
+ * ```c
+ * static const double ranges[][2] = {{0.0, 1.0}};
+ * status = critreg_planner_set_ranges(planner, "PickStick", &ranges[0][0], 1);
+ * ```
+ *
+ * @param planner The planner.
+ * @param name The name of the action, ended by NUL; case does not matter.
+ * @param ranges The least and the greatest value of each parameter: 2 * count
+ * numbers. NULL if count is 0. Copied.
+ * @param count How many parameters there are, at most CRITREG_MAX_PARAMETERS.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such action, or a range is upside
+ * down; CRITREG_CAPACITY_EXCEEDED for too many parameters; CRITREG_NOT_FINITE,
+ * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_set_ranges(struct critreg_planner *planner,
+                                          const char *name,
+                                          const double *ranges,
+                                          size_t count);
+
+/**
+ * Why the last call on this planner failed that did fail, in words, as
+ * critreg_learner_message().
+ *
+ * @param planner The planner; may be called from its callbacks.
+ * @param text Receives the words, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the words with their NUL, also
+ * if the buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written);
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_message(const struct critreg_planner *planner,
+                                       char *text,
+                                       size_t len,
+                                       size_t *needed);
+
+/**
+ * Fills callbacks with the defaults.
+ *
+ * @param callbacks The callbacks.
+ * @param size sizeof *callbacks, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_callbacks_init(struct critreg_callbacks *callbacks,
+                                      size_t size);
+
+/**
+ * Plans from a state: first which operators, then with which parameters.
+ *
+ * The search goes through sequences of operators that reach the goal in the
+ * abstract, from shorter to longer ones. Such a plan skeleton is refined step by
+ * step: parameters are drawn and execute() is called. A step works if it took an
+ * action and whatever the rest of the skeleton and the goal need of it holds; if
+ * its tries are spent, an earlier step is tried again. A skeleton that cannot be
+ * refined is followed by another one.
+ *
+ * The state is the program's own: the planner copies it and passes it on, and
+ * never looks into it.
+ *
+ * @param planner The planner.
+ * @param callbacks What the planner may ask, from critreg_callbacks_init().
+ * @param initial The state to begin in: critreg_planner_config.state_len numbers.
+ * In it those atoms must hold that the problem's :init names, and no others.
+ * @param seed Seed of all random choices. The same seed, texts, configuration and
+ * answers of the callbacks give the same plan on every machine.
+ * @param user_data Passed to the callbacks.
+ * @param length NULL, or receives how many steps the plan has; read them with
+ * critreg_planner_step().
+ * @return CRITREG_NO_PLAN if none was found: critreg_planner_metrics() tells how
+ * planning ended and what stood in the way; CRITREG_CAPACITY_EXCEEDED if the memory
+ * is full; CRITREG_MISMATCH if the initial state does not agree with :init
+ * (critreg_planner_message() names the atom); the status of a callback that was
+ * not CRITREG_OK; CRITREG_INVALID_ARGUMENT or CRITREG_NOT_FINITE for an answer of a
+ * callback that is none; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER, also
+ * if execute or holds are not set, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE. In all
+ * cases the planner can be used again.
+ */
+critreg_status critreg_plan(struct critreg_planner *planner,
+                            const struct critreg_callbacks *callbacks,
+                            const double *initial,
+                            uint64_t seed,
+                            void *user_data,
+                            size_t *length);
+
+/**
+ * Fills a step, so that critreg_planner_step() knows its size.
+ *
+ * @param step The step.
+ * @param size sizeof *step, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_step_init(struct critreg_step *step, size_t size);
+
+/**
+ * A step of the plan that the last critreg_plan() found.
+ *
+ * @param planner The planner.
+ * @param index The step, from 0.
+ * @param step A step from critreg_step_init(), to be filled.
+ * @return CRITREG_INVALID_ARGUMENT if the plan has no such step or the struct was
+ * not initialised; CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_step(struct critreg_planner *planner,
+                                    size_t index,
+                                    struct critreg_step *step);
+
+/**
+ * Fills metrics, so that critreg_planner_metrics() knows their size.
+ *
+ * @param metrics The metrics.
+ * @param size sizeof *metrics, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_metrics_init(struct critreg_metrics *metrics,
+                                    size_t size);
+
+/**
+ * What the last critreg_plan() cost, however it ended.
+ *
+ * @param planner The planner; may be called from its callbacks.
+ * @param metrics Metrics from critreg_metrics_init(), to be filled.
+ * @return CRITREG_INVALID_ARGUMENT if the metrics were not initialised;
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_metrics(const struct critreg_planner *planner,
+                                       struct critreg_metrics *metrics);
+
+/**
+ * How often steps of a PDDL action failed in the last critreg_plan().
+ *
+ * @param planner The planner.
+ * @param name The name of the action, ended by NUL; case does not matter.
+ * @param count Receives how often.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such action; CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_failures(struct critreg_planner *planner,
+                                        const char *name,
+                                        uint32_t *count);
+
+/**
+ * How often a reason was given in the last critreg_plan().
+ *
+ * @param planner The planner.
+ * @param reason The number of the reason, below CRITREG_MAX_REASONS.
+ * @param count Receives how often.
+ * @return CRITREG_INVALID_ARGUMENT for a larger number; CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_reasons(struct critreg_planner *planner,
+                                       uint32_t reason,
+                                       uint32_t *count);
 
 /**
  * Reads a domain text and says what is wrong with it, such as

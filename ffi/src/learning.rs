@@ -5,11 +5,10 @@ use crate::learner::{Inner, critreg_learner, problem, with_learner};
 use crate::pointer::{self, Output, OutputArray};
 use crate::region::critreg_region;
 use crate::report::critreg_report;
-use crate::status::{CRITREG_OK, Failure, Fallible, critreg_status, status_of};
+use crate::status::{Failure, Fallible, Message, critreg_status, status_of, stop_unless_ok};
 use crate::structs;
 use crate::text;
 use core::ffi::{c_char, c_void};
-use core::fmt;
 use critreg_core::learn::{Answer, Learner as _, Problem, Query};
 
 /// What came of an action: CRITREG_FEASIBLE, or the number of the step of an
@@ -126,14 +125,6 @@ pub unsafe extern "C" fn critreg_learn_region(
             }
             Ok(())
         })
-    }
-}
-
-fn stop_unless_ok(status: critreg_status, callback: &'static str) -> Fallible {
-    if status == CRITREG_OK {
-        Ok(())
-    } else {
-        Err(Failure::Stopped(status, callback))
     }
 }
 
@@ -299,14 +290,6 @@ pub unsafe extern "C" fn critreg_learner_report(
     unsafe {
         let handle = handle::open(learner);
         status_of(handle.and_then(|handle| structs::write(handle.report.get(), report, "report")))
-    }
-}
-
-struct Message(Option<Failure>);
-
-impl fmt::Display for Message {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.map_or(Ok(()), |failure| failure.fmt(f))
     }
 }
 

@@ -18,6 +18,10 @@
 //! | [`region`] | regions in memory, as text and as bytes |
 //! | [`constraint`] | the constraints of a region, one by one |
 //! | [`sampling`] | what a region says about an instance: samples |
+//! | [`planner_config`] | what a planner is told to do |
+//! | [`planner`] | a planner in the caller's memory |
+//! | [`planner_callbacks`] | what a planner asks the program |
+//! | [`planning`], [`planner_metrics`] | planning, the plan, what it cost |
 //! | [`rng`] | random numbers |
 //! | [`check`] | what is wrong with a text, in words |
 //! | [`stick_button`] | the built-in environment |
@@ -27,7 +31,7 @@
 //!   (the `memory` and `layout` modules compute their places and nothing else does), so no
 //!   reference to one covers another. `'static` in their types means: as long as
 //!   the caller lends the memory, which the header makes the caller's promise.
-//! - All that a learner changes is behind a `RefCell`. A callback that calls back
+//! - All that a learner or planner changes is behind a `RefCell`. A callback that calls back
 //!   finds it borrowed and gets [`status::CRITREG_BUSY`].
 //! - A handle is used only if it carries its seal, which depends on its address:
 //!   memory that is no handle, was retired or was moved is refused.
@@ -61,6 +65,14 @@ mod layout;
 pub mod learner;
 pub mod learning;
 pub mod memory;
+pub mod planner;
+pub mod planner_callbacks;
+pub mod planner_config;
+mod planner_layout;
+pub mod planner_metrics;
+mod planner_names;
+mod planner_world;
+pub mod planning;
 mod pointer;
 pub mod region;
 pub mod report;

@@ -37,6 +37,27 @@ pub const CRITREG_SPAN_BYTES: usize = 16;
 /// Bytes of a step; for CRITREG_LEARNER_WORDS.
 pub const CRITREG_STEP_BYTES: usize = 5_376;
 
+/// Bytes of a planner that do not depend on its capacity, apart from pointers; for
+/// CRITREG_PLANNER_WORDS.
+pub const CRITREG_PLANNER_FIXED_BYTES: usize = 11_776;
+
+/// Pointers of a planner that do not depend on its capacity; for
+/// CRITREG_PLANNER_WORDS.
+pub const CRITREG_PLANNER_POINTERS: usize = 1_040;
+
+/// Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
+pub const CRITREG_OPERATOR_BYTES: usize = 76;
+
+/// Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
+pub const CRITREG_NODE_BYTES: usize = 50;
+
+/// Bytes of a step of the longest plan, apart from its state and pointers; for
+/// CRITREG_PLANNER_WORDS.
+pub const CRITREG_PLAN_STEP_BYTES: usize = 88;
+
+/// Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
+pub const CRITREG_PLAN_STEP_POINTERS: usize = 7;
+
 /// Most parameters of an action: an array for theta of this length fits every
 /// domain.
 pub const CRITREG_MAX_PARAMETERS: usize = 6;
@@ -82,11 +103,24 @@ impl<T> Part<T> {
     where
         T: Clone,
     {
+        // SAFETY: by this function's contract.
+        unsafe { self.fill_with(memory, || value.clone()) }
+    }
+
+    /// As [`Part::fill`], each value made by a call.
+    ///
+    /// # Safety
+    /// As for [`Part::fill`].
+    pub(crate) unsafe fn fill_with(
+        &self,
+        memory: *mut u8,
+        mut value: impl FnMut() -> T,
+    ) -> &'static mut [T] {
         // SAFETY: `count` values fit at the place, which is aligned for them.
         unsafe {
             let first = self.place(memory);
             for index in 0..self.count {
-                first.add(index).write(value.clone());
+                first.add(index).write(value());
             }
             core::slice::from_raw_parts_mut(first, self.count)
         }
@@ -165,19 +199,23 @@ impl DomainLayout {
         // SAFETY: by this function's contract; the two parts do not overlap, and
         // after this function both are only read.
         let (place, room) = unsafe { (self.domain.place(memory), self.text.fill(memory, 0)) };
-        for (slot, byte) in room.iter_mut().zip(text.bytes()) {
-            *slot = byte;
-        }
-        let copied = room.get(..text.len()).unwrap_or(&[]);
-        let copied = core::str::from_utf8(copied);
-        let copied = copied.map_err(|_| Failure::invalid("the text is not UTF-8"))?;
-        let domain = Domain::parse(copied)?;
+        let domain = Domain::parse(copy_text(text, room)?)?;
         // SAFETY: as above; a domain needs no drop, so what was there may be lost.
         unsafe {
             place.write(domain);
             Ok(&*place)
         }
     }
+}
+
+/// Copies a text to the beginning of a room that is at least as long.
+pub(crate) fn copy_text(text: &str, room: &'static mut [u8]) -> Fallible<&'static str> {
+    for (slot, byte) in room.iter_mut().zip(text.bytes()) {
+        *slot = byte;
+    }
+    let copied = room.get(..text.len()).unwrap_or(&[]);
+    let copied = core::str::from_utf8(copied);
+    copied.map_err(|_| Failure::invalid("the text is not UTF-8"))
 }
 
 impl RegionLayout {

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 13] = [
+const SOURCES: [&str; 18] = [
     "status.rs",
     "memory.rs",
     "report.rs",
@@ -16,6 +16,11 @@ const SOURCES: [&str; 13] = [
     "constraint.rs",
     "sampling.rs",
     "rng.rs",
+    "planner_config.rs",
+    "planner.rs",
+    "planner_callbacks.rs",
+    "planning.rs",
+    "planner_metrics.rs",
     "check.rs",
     "stick_button.rs",
 ];
