@@ -13,7 +13,8 @@
 //! what is made of two of them may be NaN: no comparison holds for that.
 //!
 //! Features that depend on the sample are *left* sides of hypotheses, the others
-//! *right* sides. Scaled and summed left sides are left out: scaling a right side
+//! *right* sides. An action without parameters is sampled by its instances, so all
+//! features are left sides. Scaled and summed left sides are left out: scaling a right side
 //! says the same.
 
 use super::hypotheses::feature_id;
@@ -154,16 +155,19 @@ impl<'m, R: Real> Features<'m, R> {
 
     fn enumerate_lefts(&mut self, domain: &Domain<'_>) {
         let room = self.nodes.capacity() / 4;
+        let sampled = !domain.parameters().is_empty();
         for dimension in Dimension::ALL {
             let parameters = (0u8..).zip(domain.parameters());
             let own = parameters.filter(|(_, p)| p.dimension == dimension);
             let nodes = own.map(|(i, _)| Node::Parameter(i));
-            let nodes = nodes.chain(coordinates(domain, dimension, true));
+            let state = attributes(domain, dimension).filter(|_| !sampled);
+            let nodes = nodes.chain(state);
+            let nodes = nodes.chain(coordinates(domain, dimension, sampled));
             let block = self.append(nodes, room);
             set_block(&mut self.lefts, 1, dimension, block);
         }
         for dimension in Dimension::ALL {
-            let block = self.append(relations(domain, dimension, true), room);
+            let block = self.append(relations(domain, dimension, sampled), room);
             set_block(&mut self.lefts, 2, dimension, block);
         }
     }
@@ -192,12 +196,9 @@ impl<'m, R: Real> Features<'m, R> {
         let numbers = numbers.filter(|_| plain).map(Node::Number);
         let constants = (0u8..).zip(domain.constants());
         let constants = constants.filter(|(_, c)| c.dimension == dimension);
-        let slots = (0u8..).zip(domain.slots());
-        let slots = slots.filter(|(_, (_, attribute))| attribute.dimension == dimension);
-        let attributes = slots.flat_map(|(i, _)| said(domain, Node::Attribute(i)));
         let nodes = constants
             .map(|(i, _)| Node::Constant(i))
-            .chain(attributes)
+            .chain(attributes(domain, dimension))
             .chain(coordinates(domain, dimension, false))
             .chain(numbers);
         self.append(nodes, usize::MAX)
@@ -340,6 +341,13 @@ fn said(domain: &Domain<'_>, term: Node) -> impl Iterator<Item = Node> + use<> {
         .into_iter()
         .flat_map(|relation| Extreme::ALL.map(|extreme| Node::Extreme(extreme, relation)));
     plain.into_iter().chain(extremes)
+}
+
+/// The attributes of objects.
+fn attributes<'d>(domain: &'d Domain<'_>, dimension: Dimension) -> impl Iterator<Item = Node> + 'd {
+    let slots = (0u8..).zip(domain.slots());
+    let own = slots.filter(move |(_, (_, attribute))| attribute.dimension == dimension);
+    own.flat_map(|(i, _)| said(domain, Node::Attribute(i)))
 }
 
 /// The coordinates of sample points, or of key points. Those of an object are

@@ -23,11 +23,6 @@ impl<'p> Problem<'p> {
         if count == 0 {
             return Err(Error::InvalidArgument("learning needs a problem instance"));
         }
-        if domain.parameters().is_empty() {
-            return Err(Error::InvalidArgument(
-                "the domain declares no parameter to learn about",
-            ));
-        }
         if domain.instance_len().checked_mul(count) != Some(instances.len()) {
             return Err(Error::InvalidArgument(
                 "the instances need one number per attribute of every object",

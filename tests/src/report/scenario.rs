@@ -7,9 +7,9 @@ use critreg::random::{Generator, generator};
 use critreg::region::Region;
 
 /// Draws an instance.
-type Draw = Box<dyn Fn(&mut Generator) -> Vec<f64> + Sync>;
+pub(super) type Draw = Box<dyn Fn(&mut Generator) -> Vec<f64> + Sync>;
 /// Judges parameters in an instance.
-type Judge = Box<dyn Fn(&[f64], &[f64]) -> Answer + Sync>;
+pub(super) type Judge = Box<dyn Fn(&[f64], &[f64]) -> Answer + Sync>;
 
 /// A learning problem of which fresh instances can be drawn.
 pub struct Scenario {
@@ -27,8 +27,8 @@ pub struct Scenario {
     pub noise: f64,
     /// The formula that judges, if it is one and no simulator.
     pub truth: Option<String>,
-    draw: Draw,
-    judge: Judge,
+    pub(super) draw: Draw,
+    pub(super) judge: Judge,
 }
 
 const UPRIGHT: StickButton = StickButton { angles: false };
@@ -41,7 +41,7 @@ impl Scenario {
         region: Region,
         truth: String,
         calls: u32,
-        draw: fn(&mut Generator) -> Vec<f64>,
+        draw: impl Fn(&mut Generator) -> Vec<f64> + Sync + 'static,
     ) -> Scenario {
         let own = domain.clone();
         Scenario {

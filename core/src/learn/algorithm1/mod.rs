@@ -126,14 +126,20 @@ impl<'m, R: Real> Algorithm1<'m, R> {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] if a table of `memory` is shorter than
-    /// `capacity` needs, [`Error::NotFinite`] or [`Error::InvalidArgument`] for a
-    /// manual sample outside of the parameters' ranges.
+    /// `capacity` needs or the domain has no parameter, [`Error::NotFinite`] or
+    /// [`Error::InvalidArgument`] for a manual sample outside of the parameters'
+    /// ranges.
     pub fn new(
         domain: &Domain<'_>,
         config: Config,
         capacity: Capacity,
         memory: Memory<'m, R>,
     ) -> Result<Self, Error> {
+        if domain.parameters().is_empty() {
+            return Err(Error::InvalidArgument(
+                "Algorithm 1 learns about parameters, and the domain declares none",
+            ));
+        }
         let short = || Error::InvalidArgument("the learner needs more memory for this capacity");
         let nodes = memory.features.get_mut(..capacity.features());
         let values = memory.values.get_mut(..capacity.features());

@@ -7,6 +7,9 @@ use crate::learn::{Learner, Problem, Query};
 use crate::random::{below, uniform};
 use crate::real::Real;
 
+/// Instances in which a draw from the region is tried.
+const DRAWS: usize = 8;
+
 impl<'m, R: Real> VersionSpace<'m, R> {
     pub(super) fn next_query(&mut self, problem: &Problem<'_>) -> Result<Pending, Error> {
         if self.is_finished() {
@@ -20,6 +23,11 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             failed_step: 0,
             certifying: false,
         };
+        if self.unasked.is_some()
+            && let Some(instance) = self.unasked_instance(problem)
+        {
+            pending.query.instance = instance;
+        }
         if self.report.feasible == 0 || self.report.infeasible == 0 {
             return Ok(pending);
         }
@@ -39,7 +47,20 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         } else {
             self.mend();
         }
+        if let Some(query) = self.question(problem)? {
+            pending.query = query;
+        }
+        Ok(pending)
+    }
+
+    /// What tells explanations apart, or looks for what nobody suspects.
+    fn question(&mut self, problem: &Problem<'_>) -> Result<Option<Query>, Error> {
         let mut rng = self.rng.clone();
+        if self.unasked.is_some() {
+            let chosen = self.choice().best_unasked(problem, &mut rng)?;
+            self.rng = rng;
+            return Ok(chosen);
+        }
         let exploring = uniform(&mut rng) < self.config.exploring;
         let mut chosen = None;
         if !exploring {
@@ -54,13 +75,17 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             chosen = self.choice().farthest(problem, &mut rng)?;
         }
         self.rng = rng;
-        if let Some(query) = chosen {
-            pending.query = query;
-        }
-        Ok(pending)
+        Ok(chosen)
     }
 
-    pub(super) fn choice(&self) -> Choice<'_, 'm, R> {
+    fn unasked_instance(&mut self, problem: &Problem<'_>) -> Option<usize> {
+        let mut rng = self.rng.clone();
+        let instance = self.choice().unasked(problem, &mut rng);
+        self.rng = rng;
+        instance
+    }
+
+    fn choice(&self) -> Choice<'_, 'm, R> {
         Choice {
             forms: &self.forms,
             covers: self.covers,
@@ -70,18 +95,24 @@ impl<'m, R: Real> VersionSpace<'m, R> {
 
     pub(super) fn calls_left(&self) -> u32 {
         let told = u32::try_from(self.observations.len()).unwrap_or(u32::MAX);
-        self.config.calls.saturating_sub(told)
+        let left = self.config.calls.saturating_sub(told);
+        self.unasked.map_or(left, |unasked| unasked.min(left))
     }
 
-    /// A draw from the region in some instance.
-    pub(super) fn draw(&mut self, problem: &Problem<'_>) -> Result<Option<Query>, Error> {
-        for _ in 0..8 {
-            let instance = below(&mut self.rng, problem.count());
+    /// A draw from the region in some instance, one that was not asked about if
+    /// there is nothing else to ask about.
+    fn draw(&mut self, problem: &Problem<'_>) -> Result<Option<Query>, Error> {
+        for _ in 0..DRAWS {
+            let mut instance = below(&mut self.rng, problem.count());
+            if self.unasked.is_some() {
+                match self.unasked_instance(problem) {
+                    Some(unasked) => instance = unasked,
+                    None => return Ok(None),
+                }
+            }
             let values = problem.instance(instance)?;
-            match self
-                .region
-                .sample::<R>(problem.domain(), values, &mut self.rng)
-            {
+            let region = &self.region;
+            match region.sample::<R>(problem.domain(), values, &mut self.rng) {
                 Ok(theta) => return Ok(Some(Query { instance, theta })),
                 Err(Error::EmptyRegion | Error::NoSample) => {}
                 Err(error) => return Err(error),

@@ -6,9 +6,10 @@
 //! of conjunctions, with what they have in common said once.
 
 use super::bound::Bound;
-use super::cover::{Chosen, first_of};
-use super::forms::{Forms, MAX_WORDS, Set, Side};
-use super::set::{count, insert, members};
+use super::cover::Chosen;
+use super::forms::{Forms, Set, Side};
+use super::greedy::Taste;
+use super::set::{count, members};
 use crate::real::Real;
 use heapless::Vec;
 
@@ -16,6 +17,8 @@ use heapless::Vec;
 const PIVOTS: usize = 3;
 /// First bounds for which a second one is looked for.
 const BEAM: usize = 24;
+/// By how much the count of a constraint with two forms is reduced.
+const SECOND_FORM: f64 = 0.1;
 /// Most complex right sides of two bounds of different forms.
 const LEVEL: u8 = 1;
 
@@ -41,12 +44,16 @@ pub(super) fn best_clause<R: Real>(
     best.map(|(_, chosen)| chosen)
 }
 
-/// How much is excluded per bit.
-fn worth<R: Real>(forms: &Forms<'_, R>, chosen: &Chosen<R>, excluded: usize) -> f64 {
-    excluded as f64 / chosen.bits(forms, &[])
+/// How much is excluded, with a preference for simple forms, and for one of them.
+fn worth<R: Real>(chosen: &Chosen<R>, excluded: usize) -> f64 {
+    let reduction = |bound: &Bound<R>| Taste::SOBER.reduction(bound.side.level);
+    let second = chosen.or.filter(|or| or.side.form != chosen.bound.side.form);
+    let second = second.map_or(0.0, |or| SECOND_FORM + reduction(&or));
+    excluded as f64 * (1.0 - 0.5 * (reduction(&chosen.bound) + second))
 }
 
-/// The widest interval of values of a form around a sample in which nothing works.
+/// The constraint without an interval of values of a form around a sample, in which
+/// nothing works.
 fn interval_around<R: Real>(
     forms: &Forms<'_, R>,
     left: &Set,
@@ -72,30 +79,19 @@ fn interval_around<R: Real>(
         if !(low.is_finite() && high.is_finite() && at < high) {
             return;
         }
-        let inside = members(left).map(value).filter(|v| low < *v && *v < high);
-        let excluded = inside.count();
+        let inside = members(left).map(value);
+        let excluded = inside.filter(|v| low < *v && *v < high).count();
         let above = Side {
             upper: false,
             ..below
         };
-        let mut chosen = Chosen::new(bound(below, low, at));
-        chosen.or = Some(bound(above, -high, -at));
-        let worth = worth(forms, &chosen, excluded);
+        let chosen = Chosen::any_of(bound(below, low, at), bound(above, -high, -at));
+        let worth = worth(&chosen, excluded);
         if best.as_ref().is_none_or(|(most, _)| worth > *most) {
             best = Some((worth, chosen));
         }
     });
-    let (worth, mut chosen) = best?;
-    let mut own = [0; MAX_WORDS];
-    let (low, high) = (chosen.bound.inner, -chosen.or?.inner);
-    for sample in members(left) {
-        let value = forms.value_at(&chosen.bound.side, sample);
-        if low < value && value < high {
-            insert(&mut own, sample);
-        }
-    }
-    close(forms, &mut chosen, &own);
-    Some((worth, chosen))
+    best
 }
 
 /// Two bounds of different forms, neither of which a sample satisfies, and one of
@@ -107,55 +103,64 @@ fn pair_against<R: Real>(
     pivot: usize,
 ) -> Option<(f64, Chosen<R>)> {
     let feasible = forms.feasible(step);
-    let mut best: Option<(f64, Chosen<R>, Set)> = None;
+    let mut best: Option<(f64, Chosen<R>)> = None;
     for first in promising(forms, left, &feasible, pivot) {
-        let start = forms.value_at(&first, pivot);
-        let mut inner = -R::INFINITY;
-        let mut others = [0; MAX_WORDS];
-        for sample in members(&feasible) {
-            let value = forms.value_at(&first, sample);
-            if value < start {
-                inner = inner.max(value);
-            } else {
-                insert(&mut others, sample);
-            }
-        }
-        let mut beyond = [0; MAX_WORDS];
-        let outside = members(left).filter(|s| forms.value_at(&first, *s) > inner);
-        outside.for_each(|sample| insert(&mut beyond, sample));
         forms.for_each_side(LEVEL, |second| {
-            let value = |sample: usize| forms.value_at(&second, sample);
-            let at = value(pivot);
-            let mut last = -R::INFINITY;
-            for value in members(&others).map(value) {
-                if value >= at {
-                    return;
-                }
-                last = last.max(value);
-            }
-            if !last.is_finite() {
+            let value = |side: &Side, sample| forms.value_at(side, sample);
+            let at = [value(&first, pivot), value(&second, pivot)];
+            let corner = corner(forms, &feasible, [&first, &second], at);
+            let Some([inner, or]) = corner.filter(|c| c.iter().all(|end| end.is_finite())) else {
                 return;
-            }
-            let mut chosen = Chosen::new(bound(first, inner, start));
-            chosen.or = Some(bound(second, last, at));
-            let excluded = members(&beyond).map(value).filter(|v| *v > last).count();
-            let worth = worth(forms, &chosen, excluded);
-            if best.as_ref().is_none_or(|(most, ..)| worth > *most) {
-                best = Some((worth, chosen, beyond));
+            };
+            let beyond = |s: &usize| value(&first, *s) > inner && value(&second, *s) > or;
+            let excluded = members(left).filter(beyond).count();
+            let [start, or_start] = at;
+            let chosen = Chosen::any_of(bound(first, inner, start), bound(second, or, or_start));
+            let worth = worth(&chosen, excluded);
+            if best.as_ref().is_none_or(|(most, _)| worth > *most) {
+                best = Some((worth, chosen));
             }
         });
     }
-    let (worth, mut chosen, mut own) = best?;
-    let or = chosen.or?;
-    for sample in members(&own.clone()) {
-        if forms.value_at(&or.side, sample) <= or.inner
-            && let Some(word) = own.get_mut(sample / 64)
-        {
-            *word &= !(1 << (sample % 64));
+    best
+}
+
+/// How far two bounds reach, of which each of these samples satisfies one; `None` if
+/// one is beyond both ends of `at`. A sample that may satisfy either widens the one
+/// that it is nearer to.
+pub(super) fn corner<R: Real>(
+    forms: &Forms<'_, R>,
+    feasible: &Set,
+    sides: [&Side; 2],
+    at: [R; 2],
+) -> Option<[R; 2]> {
+    let [first, second] = sides;
+    let [end, or_end] = at;
+    let values = || {
+        let value = |side: &Side, sample| forms.value_at(side, sample);
+        members(feasible).map(move |sample| (value(first, sample), value(second, sample)))
+    };
+    let (mut inner, mut or) = (-R::INFINITY, -R::INFINITY);
+    for (value, other) in values() {
+        match (value < end, other < or_end) {
+            (false, false) => return None,
+            (true, false) => inner = inner.max(value),
+            (false, true) => or = or.max(other),
+            (true, true) => {}
         }
     }
-    close(forms, &mut chosen, &own);
-    Some((worth, chosen))
+    for (value, other) in values() {
+        if value > inner && other > or {
+            let way = (value - inner) / (end - inner);
+            let other_way = (other - or) / (or_end - or);
+            if way <= other_way || !other_way.is_finite() {
+                inner = value;
+            } else {
+                or = other;
+            }
+        }
+    }
+    Some([inner, or])
 }
 
 /// The bounds that split the feasible samples and leave most others outside.
@@ -195,12 +200,5 @@ fn bound<R: Real>(side: Side, inner: R, outer: R) -> Bound<R> {
         outer,
         range: R::ONE,
         strain: 0.0,
-    }
-}
-
-/// Moves the outer ends to the first samples that must be excluded.
-fn close<R: Real>(forms: &Forms<'_, R>, chosen: &mut Chosen<R>, own: &Set) {
-    for bound in core::iter::once(&mut chosen.bound).chain(&mut chosen.or) {
-        bound.outer = first_of(forms, &bound.side, own);
     }
 }

@@ -7,7 +7,7 @@
 //! description length, Rissanen 1978).
 
 use super::bound::Bound;
-use super::clause::best_clause;
+use super::clause::{best_clause, corner};
 use super::forms::{Forms, MAX_WORDS, Set, Side, tolerance};
 use super::greedy::{Taste, best_side};
 use super::set::{count, insert, intersect, is_empty, members, remove};
@@ -46,6 +46,14 @@ impl<R: Real> Chosen<R> {
         }
     }
 
+    /// A constraint of two bounds, one of which must hold.
+    pub(super) fn any_of(bound: Bound<R>, or: Bound<R>) -> Self {
+        Chosen {
+            or: Some(or),
+            ..Chosen::new(bound)
+        }
+    }
+
     pub(super) fn bounds(&self) -> impl Iterator<Item = &Bound<R>> {
         core::iter::once(&self.bound).chain(&self.or)
     }
@@ -56,10 +64,13 @@ impl<R: Real> Chosen<R> {
             let mut known = others.iter().flat_map(Chosen::bounds);
             known.any(|other| other.side.form == side.form)
         };
-        let bits = self
-            .bounds()
-            .map(|b| b.strain + forms.bits(&b.side, named(&b.side)));
-        bits.sum()
+        let first = &self.bound;
+        let bits = first.strain + forms.bits(&first.side, named(&first.side));
+        let second = self.or.map(|or| {
+            let named = or.side.form == first.side.form || named(&or.side);
+            forms.bits(&or.side, named)
+        });
+        bits + second.unwrap_or(0.0)
     }
 
     /// The infeasible samples that it excludes whichever threshold is true.
@@ -86,16 +97,10 @@ impl<R: Real> Chosen<R> {
             self.bound.inner = forms.last_feasible(&self.bound.side, step);
             return;
         };
-        let feasible = forms.feasible(step);
-        (self.bound.inner, or.inner) = (-R::INFINITY, -R::INFINITY);
-        for sample in members(&feasible) {
-            let value = forms.value_at(&self.bound.side, sample);
-            if value < self.bound.outer {
-                self.bound.inner = self.bound.inner.max(value);
-            } else {
-                or.inner = or.inner.max(forms.value_at(&or.side, sample));
-            }
-        }
+        let sides = [&self.bound.side, &or.side];
+        let ends = [self.bound.outer, or.outer];
+        let corner = corner(forms, &forms.feasible(step), sides, ends);
+        [self.bound.inner, or.inner] = corner.unwrap_or([R::INFINITY; 2]);
     }
 
     /// Puts its bounds between the feasible samples and those that it must exclude.
@@ -149,8 +154,27 @@ impl<R: Real> Cover<R> {
         cover
     }
 
+    /// As [`Cover::greedy`], with a constraint of two bounds behind the first `simple`
+    /// ones.
+    pub(super) fn with_clause(
+        forms: &Forms<'_, R>,
+        step: usize,
+        simple: usize,
+        rng: &mut Generator,
+    ) -> Cover<R> {
+        let mut cover = Cover::greedy(forms, step, Taste::SOBER, 0.0, rng);
+        cover.chosen.truncate(simple);
+        let mut left = forms.infeasible(step);
+        remove(&mut left, &cover.excluded(forms, step));
+        if let Some(clause) = best_clause(forms, &left, step) {
+            let _ = cover.chosen.push(clause);
+        }
+        cover.extend(forms, step, Taste::SOBER, 0.0, rng);
+        cover
+    }
+
     /// Adds constraints until everything is excluded.
-    pub(super) fn extend(
+    fn extend(
         &mut self,
         forms: &Forms<'_, R>,
         step: usize,

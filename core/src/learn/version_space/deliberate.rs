@@ -16,6 +16,10 @@ use crate::region::Region;
 const SIGNIFICANCE: f64 = 10.0;
 /// By how many bits the best explanations may grow before they are doubted.
 const GROWTH: f64 = 3.0;
+/// Explanations with a constraint of two bounds compete where the others are longer
+/// than this, in bits; and how many of them.
+const SIMPLE: f64 = 50.0;
+const CLAUSES: usize = 3;
 /// An election needs one new sample for so many old ones: where nothing explains the
 /// answers for long, elections would follow each other.
 const PATIENCE: usize = 16;
@@ -103,13 +107,18 @@ impl<R: Real> VersionSpace<'_, R> {
                 (!cover.complete, bits, cover.looseness().to_f64())
             };
             let mut standing = rate(best);
-            for member in 0..CANDIDATES {
-                let mut other = match others.get(member) {
-                    Some(known) => known.clone(),
-                    None => {
+            for member in 0..CANDIDATES + CLAUSES {
+                let (incomplete, bits, _) = standing;
+                let mut other = match (others.get(member), member.checked_sub(CANDIDATES)) {
+                    (Some(known), _) => known.clone(),
+                    (None, None) => {
                         let taste = Taste::of_member(member);
                         Cover::greedy(forms, step, taste, 0.0, &mut self.rng)
                     }
+                    (None, Some(simple)) if incomplete || bits > SIMPLE => {
+                        Cover::with_clause(forms, step, simple, &mut self.rng)
+                    }
+                    _ => break,
                 };
                 let rating = rate(&mut other);
                 if rating < standing {

@@ -34,7 +34,8 @@ impl Taste {
         }
     }
 
-    fn reduction(&self, level: u8) -> f64 {
+    /// By which share a count is reduced for a right side.
+    pub(super) fn reduction(&self, level: u8) -> f64 {
         let own = REDUCTION.get(usize::from(level)).copied();
         self.plainness * own.unwrap_or(0.0)
     }

@@ -44,6 +44,9 @@
 //! begins anew. So the draws are independent of the region that they certify
 //! (Clopper and Pearson 1934).
 //!
+//! *Actions without parameters* are sampled by their instances, each once: the region
+//! tells in which states they work.
+//!
 //! *Honesty.* There is no region if an infeasible sample is excluded by no form,
 //! if the explanation is too complex for the number of samples that it explains,
 //! or if no instance has both feasible and infeasible samples: then the parameters
@@ -113,6 +116,8 @@ pub struct VersionSpace<'m, R> {
     rng: Generator,
     pending: Option<Pending>,
     problem: Option<u32>,
+    /// Instances that were not asked about, if there is nothing else to ask about.
+    unasked: Option<u32>,
     /// How far one answer must lead.
     needed_lead: i32,
     /// Whether some instance has feasible and infeasible samples.
@@ -180,6 +185,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             covers,
             pending: None,
             problem: None,
+            unasked: None,
             influence: false,
             certifying: false,
             elected: false,
@@ -265,9 +271,13 @@ impl<'m, R: Real> VersionSpace<'m, R> {
 
     fn note_influence(&mut self, query: &Query, feasible: bool) {
         let differs = |o: &Observation| {
-            o.instance as usize == query.instance
-                && (o.failed_step == 0) != feasible
-                && o.theta != query.theta
+            let elsewhere = o.instance as usize != query.instance;
+            let apart = if self.unasked.is_some() {
+                elsewhere
+            } else {
+                !elsewhere && o.theta != query.theta
+            };
+            apart && (o.failed_step == 0) != feasible
         };
         self.influence |= !self.influence && self.observations.as_slice().iter().any(differs);
     }
@@ -307,6 +317,8 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
             self.report.forms = self.forms.len();
             self.report.forms_left_out = self.forms.left_out();
             self.problem = Some(problem.fingerprint());
+            let count = u32::try_from(problem.count()).unwrap_or(u32::MAX);
+            self.unasked = problem.domain().parameters().is_empty().then_some(count);
         }
         problem.check_begun(self.problem)?;
         let pending = match self.pending {
@@ -338,6 +350,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
             return Ok(());
         }
         self.pending = None;
+        self.unasked = self.unasked.map(|count| count.saturating_sub(1));
         self.learn(problem, &pending)?;
         if self.is_finished() && !self.certifying {
             self.elect(problem.domain())?;

@@ -104,6 +104,52 @@ impl<R: Real> Choice<'_, '_, R> {
         self.test(problem, rng)
     }
 
+    /// Some instance that was not asked about.
+    pub(super) fn unasked(&self, problem: &Problem<'_>, rng: &mut Generator) -> Option<usize> {
+        self.all_unasked(problem, rng).next()
+    }
+
+    /// The instances that were not asked about, from a random one on.
+    fn all_unasked(
+        &self,
+        problem: &Problem<'_>,
+        rng: &mut Generator,
+    ) -> impl Iterator<Item = usize> {
+        let count = problem.count();
+        let first = below(rng, count);
+        let all = (first..count).chain(0..first);
+        all.filter(|instance| {
+            let mut asked = self.observations.iter();
+            !asked.any(|o| o.instance as usize == *instance)
+        })
+    }
+
+    /// Of the instances that were not asked about, the one that splits the votes most
+    /// evenly, then one between the ends of most bounds.
+    pub(super) fn best_unasked(
+        &self,
+        problem: &Problem<'_>,
+        rng: &mut Generator,
+    ) -> Result<Option<Query>, Error> {
+        let points = PointSet::all(problem.domain());
+        let theta = [0.0; MAX_PARAMETERS];
+        let mut best: Option<((usize, usize), Query)> = None;
+        for instance in self.all_unasked(problem, rng) {
+            let scene = Scene::new(problem.domain(), problem.instance(instance)?, points)?;
+            let lefts = self.forms.evaluate(&scene, &theta);
+            let (votes, against) = self.votes(instance, &lefts);
+            let open = self.best_bounds().filter(|(_, bound)| {
+                let value = self.forms.value(&bound.side, instance, &lefts);
+                bound.inner < value && value < bound.outer
+            });
+            let score = (votes * against, open.count());
+            if best.as_ref().is_none_or(|(most, _)| score > *most) {
+                best = Some((score, Query { instance, theta }));
+            }
+        }
+        Ok(best.map(|(_, query)| query))
+    }
+
     /// Whether a sample lies where a bound of the best explanation is known as well
     /// as needed. Others put it slightly elsewhere; that is not worth a question.
     fn is_settled(&self, instance: usize, lefts: &Lefts<R>) -> bool {

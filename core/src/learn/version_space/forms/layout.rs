@@ -63,6 +63,8 @@ impl Side {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Layout {
     pub(super) lefts: [[Block; 2]; DIMENSIONS],
+    /// Left sides that found no room.
+    pub(super) lefts_left_out: [usize; DIMENSIONS],
     pub(super) columns: [[Block; DIMENSIONS]; LEVELS],
     pub(super) capacity: usize,
 }
@@ -73,6 +75,7 @@ impl Layout {
             lefts,
             columns,
             capacity,
+            ..
         } = *self;
         let blocks = columns
             .into_iter()
@@ -103,10 +106,10 @@ impl Layout {
     }
 
     pub(super) fn wanted(&self) -> usize {
-        let all = self
-            .columns
-            .iter()
-            .flat_map(|own| own.iter().zip(self.lefts));
-        all.map(|(block, [a, b])| block.len * (a.len + b.len)).sum()
+        let lefts = self.lefts.iter().zip(self.lefts_left_out);
+        let lefts = lefts.map(|([a, b], left_out)| a.len + b.len + left_out);
+        let columns = self.columns.iter();
+        let all = columns.flat_map(|own| own.iter().zip(lefts.clone()));
+        all.map(|(block, lefts)| block.len * lefts).sum()
     }
 }

@@ -112,6 +112,10 @@ impl<'m, R: Real> Forms<'m, R> {
                 let len = range.len().min(storage.lefts.saturating_sub(start));
                 *block = Block { start, len };
                 left_count += len;
+                let all = storage.features.enumerated_lefts(complexity, dimension);
+                if let Some(lost) = layout.lefts_left_out.get_mut(dimension as usize) {
+                    *lost += usize::try_from(all).unwrap_or(usize::MAX) - len;
+                }
             }
         }
         Forms {
