@@ -443,6 +443,11 @@
 #define CRITREG_MAX_OBSERVATIONS 2048
 
 /**
+ * Most regions of critreg_sample_regions() and critreg_regions_are_empty().
+ */
+#define CRITREG_MAX_REGIONS 32
+
+/**
  * For critreg_planner_config.heuristic: LM-cut (Helmert and Domshlak 2009), the
  * default. Never too high, so that shorter sequences come before longer ones.
  */
@@ -905,8 +910,10 @@ typedef struct critreg_planner_config {
      */
     uint32_t max_samples;
     /**
-     * How many nodes are expanded and samples drawn before nothing is postponed
-     * any more. So wrong advice to postpone costs effort, but no plan. Default 256.
+     * How many nodes are expanded and samples drawn with advice: what advise
+     * postpones, what sample draws from a region or finds to be empty. If there is
+     * no plan by then, planning begins anew without any, and so do the limits
+     * above. So wrong advice costs at most so much, but never a plan. Default 1024.
      */
     uint32_t patience;
     /**
@@ -1039,7 +1046,32 @@ typedef struct critreg_draw {
      * Which try of the step in this state it is, from 1.
      */
     uint32_t attempt;
+    /**
+     * 1; or 0 once critreg_planner_config.patience is at its end: then draw as if
+     * nothing were known.
+     */
+    int32_t advised;
 } critreg_draw;
+
+/**
+ * What was drawn.
+ */
+typedef struct critreg_drawn {
+    /**
+     * The parameters, within their ranges; hold NAN. The planner rounds them to
+     * single precision.
+     */
+    double parameters[CRITREG_MAX_PARAMETERS];
+    /**
+     * 1 if the parameters are from where they are expected to work, such as a
+     * learned region; holds 0.
+     */
+    int32_t informed;
+    /**
+     * Why there are no parameters, if there are none; holds CRITREG_NO_REASON.
+     */
+    uint32_t reason;
+} critreg_drawn;
 
 /**
  * Draws the parameters of a step, for instance with critreg_sample_regions().
@@ -1048,17 +1080,14 @@ typedef struct critreg_draw {
  * @param user_data What the program passed to critreg_plan().
  * @param draw The step to draw for.
  * @param rng Random numbers. They follow from the seed of critreg_plan().
- * @param parameters Receives the parameters, within their ranges. The planner
- * rounds them to single precision.
- * @param reason Receives why there are none; holds CRITREG_NO_REASON.
+ * @param drawn Receives the parameters, or why there are none.
  * @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters work in this state,
  * upon which an earlier step is tried again; or what shall stop planning.
  */
 typedef critreg_status (*critreg_sample)(void *user_data,
                                          const struct critreg_draw *draw,
                                          struct critreg_rng *rng,
-                                         double *parameters,
-                                         uint32_t *reason);
+                                         struct critreg_drawn *drawn);
 
 /**
  * What to do with a sequence of operators: CRITREG_KEEP, CRITREG_POSTPONE or
@@ -1187,7 +1216,7 @@ typedef struct critreg_metrics {
      */
     uint32_t pruned;
     /**
-     * Sequences that advise postponed.
+     * Sequences that advise postponed: they were left out until patience ended.
      */
     uint32_t postponed;
     /**
@@ -1198,6 +1227,15 @@ typedef struct critreg_metrics {
      * Draws that ended with CRITREG_EMPTY_REGION.
      */
     uint32_t empty_draws;
+    /**
+     * Draws that were informed; see critreg_drawn.
+     */
+    uint32_t informed_draws;
+    /**
+     * 1 if critreg_planner_config.patience ended, so that planning began anew
+     * without advice; else 0.
+     */
+    uint32_t patience_ended;
     /**
      * Reasons that were not given, or not below CRITREG_MAX_REASONS.
      */
@@ -1340,8 +1378,9 @@ typedef struct critreg_metrics {
 #define CRITREG_KEEP 0
 
 /**
- * Try everything else before, until critreg_planner_config.patience is at its end.
- * The right advice from knowledge that may be wrong, such as a learned region.
+ * Leave it out, with everything that begins with it, until
+ * critreg_planner_config.patience is at its end. The right advice from knowledge
+ * that may be wrong, such as a learned region.
  */
 #define CRITREG_POSTPONE 1
 
@@ -1439,7 +1478,7 @@ size_t critreg_learner_align(void);
  * CRITREG_SYNTAX_ERROR (ask critreg_check_domain() where);
  * CRITREG_CAPACITY_EXCEEDED if the text is longer than CRITREG_DOMAIN_TEXT_MAX
  * or declares too many things; CRITREG_INVALID_ARGUMENT for a domain without
- * parameters, a text that is not UTF-8, a wrong configuration or a manual sample
+ * parameters (CRITREG_ALGORITHM1 only), a text that is not UTF-8, a wrong configuration or a manual sample
  * outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual sample
  * or a share of the configuration; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
  */
@@ -1534,7 +1573,7 @@ critreg_status critreg_learn_region(struct critreg_learner *learner,
  * checked in every call.
  * @param count How many there are.
  * @param instance Receives the index of the instance to try it in.
- * @param theta Receives the parameters: one number each.
+ * @param theta Receives the parameters: one number each. NULL if there are none.
  * @return CRITREG_OUT_OF_SEQUENCE if learning is finished; CRITREG_MISMATCH if
  * the instances changed; CRITREG_CAPACITY_EXCEEDED if there is no room for so
  * many (critreg_config.instances); CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
@@ -1868,8 +1907,8 @@ critreg_status critreg_region_constraint_name(const struct critreg_region *regio
  *
  * @param region The region.
  * @param instance The instance: one number per attribute.
- * @param theta The parameters: one number each. Outside of their ranges they
- * are not inside of any region.
+ * @param theta The parameters: one number each; NULL if there are none. Outside of
+ * their ranges they are not inside of any region.
  * @param inside Receives 1 or 0.
  * @return CRITREG_NOT_FINITE for a number of the instance or of theta;
  * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
@@ -1941,7 +1980,7 @@ critreg_status critreg_region_is_empty(const struct critreg_region *region,
  * @param region The region.
  * @param instance The instance: one number per attribute.
  * @param rng The generator, which moves on, also if no parameters are found.
- * @param theta Receives the parameters: one number each.
+ * @param theta Receives the parameters: one number each. NULL if there are none.
  * @return CRITREG_EMPTY_REGION if it is proven that there are none,
  * CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_NOT_FINITE,
  * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
@@ -1950,6 +1989,65 @@ critreg_status critreg_sample_region(const struct critreg_region *region,
                                      const double *instance,
                                      struct critreg_rng *rng,
                                      double *theta);
+
+/**
+ * Draws parameters that several regions admit, each in an instance of its own: the
+ * region of an action, and those of what comes after it.
+ *
+ * This is what a planner with a search of its own uses for chains. A region that
+ * was learned about a sequence of actions, such as "pick, then press", says with
+ * which parameters of the first action the last one works. It is put into as many
+ * instances as the plan skeleton has last actions, one for each button that is
+ * going to be pressed, and the intersection is known before anything is tried: if
+ * it is empty, so is the hope for the skeleton.
+ *
+ * ```c
+ * const critreg_region *regions[] = {pick, pick_and_press, pick_and_press};
+ * const double *instances[] = {now, with_first_button, with_second_button};
+ * switch (critreg_sample_regions(regions, instances, 3, &rng, theta)) {
+ * case CRITREG_OK:           return try_action(theta);
+ * case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+ * default:                   return try_action_with_any_parameters();
+ * }
+ * ```
+ *
+ * Draws are made in the way of critreg_sample_region().
+ *
+ * @param regions The regions. Their domains may differ, but not in number and
+ * ranges of the parameters.
+ * @param instances An instance for each: one number per attribute.
+ * @param count How many regions there are, from 1 to CRITREG_MAX_REGIONS.
+ * @param rng The generator, which moves on, also if no parameters are found.
+ * @param theta Receives the parameters: one number each. NULL if there are none.
+ * @return CRITREG_EMPTY_REGION if it is proven that there are none,
+ * CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_MISMATCH if the
+ * regions have other parameters; CRITREG_CAPACITY_EXCEEDED for too many regions;
+ * CRITREG_INVALID_ARGUMENT for no region; CRITREG_NOT_FINITE,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_sample_regions(const struct critreg_region *const *regions,
+                                      const double *const *instances,
+                                      size_t count,
+                                      struct critreg_rng *rng,
+                                      double *theta);
+
+/**
+ * Whether it is proven that several regions, each in an instance of its own, admit
+ * no parameters together; see critreg_sample_regions() and
+ * critreg_region_is_empty().
+ *
+ * @param regions The regions.
+ * @param instances An instance for each: one number per attribute.
+ * @param count How many regions there are, from 1 to CRITREG_MAX_REGIONS.
+ * @param empty Receives 1 or 0.
+ * @return CRITREG_MISMATCH, CRITREG_CAPACITY_EXCEEDED, CRITREG_INVALID_ARGUMENT as
+ * critreg_sample_regions(); CRITREG_NOT_FINITE, CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_regions_are_empty(const struct critreg_region *const *regions,
+                                         const double *const *instances,
+                                         size_t count,
+                                         int32_t *empty);
 
 /**
  * A generator with this seed.
@@ -2223,6 +2321,25 @@ critreg_status critreg_check_region(const char *domain,
                                     size_t *needed);
 
 /**
+ * Reads a PDDL domain and a problem of it and says what is wrong with them, such as
+ * "problem, line 3, column 7: unknown object".
+ *
+ * @param domain The PDDL domain, ended by NUL.
+ * @param problem A PDDL problem of that domain, ended by NUL.
+ * @param text Receives the words, as for critreg_check_domain().
+ * @param len Length of text in bytes; 0 if the words are not wanted.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_OK if critreg_planner_init() would accept both texts, given
+ * memory enough, else as critreg_check_domain(); CRITREG_CAPACITY_EXCEEDED for a
+ * text longer than CRITREG_PDDL_TEXT_MAX or too many ground atoms.
+ */
+critreg_status critreg_check_pddl(const char *domain,
+                                  const char *problem,
+                                  char *text,
+                                  size_t len,
+                                  size_t *needed);
+
+/**
  * The domain text of picking the stick with one button on the table, the action
  * PickStickFromNothing of the thesis. Its one parameter is mu, the place of the
  * grasp along the stick, from 0 to 1.
@@ -2232,26 +2349,30 @@ critreg_status critreg_check_region(const char *domain,
 const char *critreg_stick_button_domain(void);
 
 /**
- * How many numbers an instance has: robot x, y, theta; stick x, y, theta, held;
- * holder x, y, theta; button x, y, pressed. Lengths are in units of the table
- * (10 by 6), angles in radians.
+ * How many numbers a state has: robot x, y, theta; stick x, y, theta, held; holder
+ * x, y, theta; and x, y, pressed of each button. Lengths are in units of the table
+ * (10 by 6), angles in radians. An instance of critreg_stick_button_domain() is a
+ * state with one button.
  */
-size_t critreg_stick_button_instance_len(void);
+size_t critreg_stick_button_state_len(uint32_t buttons);
 
 /**
- * Draws a random task with one button and writes its initial state.
+ * Draws a random task, to press all buttons, and writes its initial state. Nothing
+ * is held in it, and the robot and the stick lie above no button.
  *
  * @param seed Every seed gives one task, the same on every machine.
  * @param options 0 or CRITREG_STICK_BUTTON_ANGLES.
- * @param instance Receives the instance.
- * @param len Length of instance in numbers, at least
- * critreg_stick_button_instance_len().
- * @return CRITREG_TOO_SMALL; CRITREG_INVALID_ARGUMENT for unknown options;
- * CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ * @param buttons How many buttons there are, from 1 to 10.
+ * @param state Receives the state.
+ * @param len Length of state in numbers, at least
+ * critreg_stick_button_state_len().
+ * @return CRITREG_TOO_SMALL; CRITREG_INVALID_ARGUMENT for unknown options or
+ * another number of buttons; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
  */
 critreg_status critreg_stick_button_task(uint64_t seed,
                                          uint32_t options,
-                                         double *instance,
+                                         uint32_t buttons,
+                                         double *state,
                                          size_t len);
 
 /**
@@ -2260,7 +2381,7 @@ critreg_status critreg_stick_button_task(uint64_t seed,
  *
  * @param user_data NULL, or a pointer to a uint32_t with options: 0 or
  * CRITREG_STICK_BUTTON_ANGLES. It is only read.
- * @param instance The instance: critreg_stick_button_instance_len() numbers.
+ * @param instance The instance: a state with one button.
  * @param theta The parameter mu.
  * @param outcome Receives CRITREG_FEASIBLE or CRITREG_INFEASIBLE.
  * @return CRITREG_NOT_FINITE for a number of the instance or for mu;
@@ -2271,6 +2392,62 @@ critreg_status critreg_stick_button_pick(void *user_data,
                                          const double *instance,
                                          const double *theta,
                                          critreg_outcome *outcome);
+
+/**
+ * Runs an operator of the environment: a critreg_execute for critreg_callbacks.
+ *
+ * The operators are RobotPressButtonFromNothing (robot button stick),
+ * RobotPressButtonFromButton (robot button from stick), PickStickFromNothing (robot
+ * stick), PickStickFromButton (robot stick from), StickPressButtonFromNothing (robot
+ * stick button), StickPressButtonFromButton (robot stick button from),
+ * PlaceStickFromNothing (robot stick) and PlaceStickFromButton (robot stick).
+ * Picking has the parameter mu from 0 to 1, placing one from -1 to 1. The objects
+ * are robby, stick, holder, button0, button1 and so on, in the order of the state.
+ *
+ * @param user_data NULL, or a pointer to a uint32_t with options, as for
+ * critreg_stick_button_pick().
+ * @param ground The operator; its name and those of its objects count, its indices
+ * do not.
+ * @param parameters Its parameters.
+ * @param before The state before.
+ * @param after Receives the state afterwards; the same one if it failed.
+ * @param len Numbers of a state: critreg_stick_button_state_len().
+ * @param actions Receives how many steps of the environment it took; 0 if it
+ * failed.
+ * @return CRITREG_INVALID_ARGUMENT for an unknown operator, object or option, or a
+ * wrong number of objects or of numbers; CRITREG_NOT_FINITE, CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_stick_button_execute(void *user_data,
+                                            const struct critreg_ground *ground,
+                                            const double *parameters,
+                                            const double *before,
+                                            double *after,
+                                            size_t len,
+                                            uint32_t *actions);
+
+/**
+ * Tells whether an atom of the environment holds: a critreg_holds for
+ * critreg_callbacks.
+ *
+ * The predicates are AboveNoButton (), Grasped (robot stick), HandEmpty (robot),
+ * Pressed (button), RobotAboveButton (robot button) and StickAboveButton (stick
+ * button).
+ *
+ * @param user_data As for critreg_stick_button_execute().
+ * @param ground The atom; its name and those of its objects count.
+ * @param state The state.
+ * @param len Numbers of a state: critreg_stick_button_state_len().
+ * @param holds Receives 1 or 0.
+ * @return CRITREG_INVALID_ARGUMENT for an unknown predicate, object or option, or a
+ * wrong number of objects or of numbers; CRITREG_NOT_FINITE, CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_stick_button_holds(void *user_data,
+                                          const struct critreg_ground *ground,
+                                          const double *state,
+                                          size_t len,
+                                          int32_t *holds);
 
 #ifdef __cplusplus
 }  // extern "C"

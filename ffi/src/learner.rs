@@ -162,7 +162,7 @@ pub extern "C" fn critreg_learner_align() -> usize {
 /// CRITREG_SYNTAX_ERROR (ask critreg_check_domain() where);
 /// CRITREG_CAPACITY_EXCEEDED if the text is longer than CRITREG_DOMAIN_TEXT_MAX
 /// or declares too many things; CRITREG_INVALID_ARGUMENT for a domain without
-/// parameters, a text that is not UTF-8, a wrong configuration or a manual sample
+/// parameters (CRITREG_ALGORITHM1 only), a text that is not UTF-8, a wrong configuration or a manual sample
 /// outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual sample
 /// or a share of the configuration; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
 #[unsafe(no_mangle)]
@@ -209,11 +209,6 @@ unsafe fn init(
         // If this fails, a learner that was here before is one no more.
         handle::retire(layout.handle.place(memory));
         let domain = layout.domain.put(memory, text)?;
-        if domain.parameters().is_empty() {
-            return Err(Failure::invalid(
-                "the domain declares no parameter to learn about",
-            ));
-        }
         let mut inner = Inner {
             learner: layout.make(memory, domain, &config)?,
             region: layout.region.place(memory),

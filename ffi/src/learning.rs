@@ -172,7 +172,7 @@ fn give_region(handle: &critreg_learner, inner: &mut Inner) -> Fallible<*const c
 /// checked in every call.
 /// @param count How many there are.
 /// @param instance Receives the index of the instance to try it in.
-/// @param theta Receives the parameters: one number each.
+/// @param theta Receives the parameters: one number each. NULL if there are none.
 /// @return CRITREG_OUT_OF_SEQUENCE if learning is finished; CRITREG_MISMATCH if
 /// the instances changed; CRITREG_CAPACITY_EXCEEDED if there is no room for so
 /// many (critreg_config.instances); CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
@@ -189,12 +189,12 @@ pub unsafe extern "C" fn critreg_ask(
     unsafe {
         with_learner(learner, |handle, inner| {
             let index = Output::new(instance, "instance")?;
-            let parameters = OutputArray::new(theta, "theta")?;
+            let numbers = handle.domain.parameters().len();
+            let parameters = OutputArray::new(theta, numbers, "theta")?;
             let Query { instance, theta } =
                 inner.learner.ask(&problem(handle, instances, count)?)?;
             index.write(instance);
-            let used = theta.get(..handle.domain.parameters().len());
-            parameters.write(used.unwrap_or(&[]));
+            parameters.write(&theta);
             Ok(())
         })
     }

@@ -24,7 +24,7 @@
 //! | [`planning`], [`planner_metrics`] | planning, the plan, what it cost |
 //! | [`rng`] | random numbers |
 //! | [`check`] | what is wrong with a text, in words |
-//! | [`stick_button`] | the built-in environment |
+//! | [`stick_button`], [`stick_button_world`] | the built-in environment, to learn and to plan in |
 //!
 //! # Why it is sound
 //! - The parts of a handle are cut out of the caller's memory without overlap
@@ -81,6 +81,7 @@ pub mod sampling;
 pub mod saving;
 pub mod status;
 pub mod stick_button;
+pub mod stick_button_world;
 mod structs;
 mod text;
 

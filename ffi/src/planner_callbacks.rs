@@ -1,5 +1,6 @@
 //! What a planner asks the program.
 
+use crate::memory::CRITREG_MAX_PARAMETERS;
 use crate::planner_config::CRITREG_MAX_ARGUMENTS;
 use crate::rng::critreg_rng;
 use crate::status::{critreg_status, status_of};
@@ -59,6 +60,23 @@ pub struct critreg_draw {
     pub parameter_count: usize,
     /// Which try of the step in this state it is, from 1.
     pub attempt: u32,
+    /// 1; or 0 once critreg_planner_config.patience is at its end: then draw as if
+    /// nothing were known.
+    pub advised: i32,
+}
+
+/// What was drawn.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct critreg_drawn {
+    /// The parameters, within their ranges; hold NAN. The planner rounds them to
+    /// single precision.
+    pub parameters: [f64; CRITREG_MAX_PARAMETERS],
+    /// 1 if the parameters are from where they are expected to work, such as a
+    /// learned region; holds 0.
+    pub informed: i32,
+    /// Why there are no parameters, if there are none; holds CRITREG_NO_REASON.
+    pub reason: u32,
 }
 
 /// What to do with a sequence of operators: CRITREG_KEEP, CRITREG_POSTPONE or
@@ -67,8 +85,9 @@ pub type critreg_advice = i32;
 
 /// Go on with it.
 pub const CRITREG_KEEP: critreg_advice = 0;
-/// Try everything else before, until critreg_planner_config.patience is at its end.
-/// The right advice from knowledge that may be wrong, such as a learned region.
+/// Leave it out, with everything that begins with it, until
+/// critreg_planner_config.patience is at its end. The right advice from knowledge
+/// that may be wrong, such as a learned region.
 pub const CRITREG_POSTPONE: critreg_advice = 1;
 /// Drop it, with everything that begins with it. For what is certain: a plan may
 /// be lost.
@@ -136,9 +155,7 @@ pub type critreg_holds = Option<
 /// @param user_data What the program passed to critreg_plan().
 /// @param draw The step to draw for.
 /// @param rng Random numbers. They follow from the seed of critreg_plan().
-/// @param parameters Receives the parameters, within their ranges. The planner
-/// rounds them to single precision.
-/// @param reason Receives why there are none; holds CRITREG_NO_REASON.
+/// @param drawn Receives the parameters, or why there are none.
 /// @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters work in this state,
 /// upon which an earlier step is tried again; or what shall stop planning.
 pub type critreg_sample = Option<
@@ -146,8 +163,7 @@ pub type critreg_sample = Option<
         user_data: *mut c_void,
         draw: *const critreg_draw,
         rng: *mut critreg_rng,
-        parameters: *mut f64,
-        reason: *mut u32,
+        drawn: *mut critreg_drawn,
     ) -> critreg_status,
 >;
 

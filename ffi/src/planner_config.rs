@@ -70,8 +70,10 @@ pub struct critreg_planner_config {
     pub max_actions: u32,
     /// Most calls of execute. Default 10000.
     pub max_samples: u32,
-    /// How many nodes are expanded and samples drawn before nothing is postponed
-    /// any more. So wrong advice to postpone costs effort, but no plan. Default 256.
+    /// How many nodes are expanded and samples drawn with advice: what advise
+    /// postpones, what sample draws from a region or finds to be empty. If there is
+    /// no plan by then, planning begins anew without any, and so do the limits
+    /// above. So wrong advice costs at most so much, but never a plan. Default 1024.
     pub patience: u32,
     /// Bytes to have room for in the domain and problem text together, their NULs
     /// included. Default CRITREG_DEFAULT_PDDL_BYTES.

@@ -53,12 +53,17 @@ pub struct critreg_metrics {
     pub nodes_created: u32,
     /// Sequences that advise pruned.
     pub pruned: u32,
-    /// Sequences that advise postponed.
+    /// Sequences that advise postponed: they were left out until patience ended.
     pub postponed: u32,
     /// Sequences that were not extended because of their length.
     pub cut_off: u32,
     /// Draws that ended with CRITREG_EMPTY_REGION.
     pub empty_draws: u32,
+    /// Draws that were informed; see critreg_drawn.
+    pub informed_draws: u32,
+    /// 1 if critreg_planner_config.patience ended, so that planning began anew
+    /// without advice; else 0.
+    pub patience_ended: u32,
     /// Reasons that were not given, or not below CRITREG_MAX_REASONS.
     pub uncounted: u32,
     /// Low-level actions that execute told of.
@@ -92,6 +97,8 @@ impl critreg_metrics {
         postponed: 0,
         cut_off: 0,
         empty_draws: 0,
+        informed_draws: 0,
+        patience_ended: 0,
         uncounted: 0,
         actions: 0,
         most_failed: core::ptr::null(),
@@ -127,6 +134,8 @@ impl critreg_metrics {
             postponed: metrics.postponed,
             cut_off: metrics.cut_off,
             empty_draws: metrics.empty_draws,
+            informed_draws: metrics.informed_draws,
+            patience_ended: u32::from(metrics.advised.is_some()),
             uncounted: metrics.uncounted,
             actions: metrics.actions,
             most_failed: most_failed.unwrap_or(core::ptr::null()),

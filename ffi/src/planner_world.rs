@@ -2,7 +2,7 @@
 
 use crate::planner_callbacks::{
     CRITREG_KEEP, CRITREG_NO_REASON, CRITREG_POSTPONE, CRITREG_PRUNE, critreg_advise,
-    critreg_callbacks, critreg_draw, critreg_ground,
+    critreg_callbacks, critreg_draw, critreg_drawn, critreg_ground,
 };
 use crate::planner_layout::{Numbers, Ranges};
 use crate::planner_names::Names;
@@ -135,8 +135,8 @@ impl<'a> Sampler<Program<'a>> for Draws<'_> {
         } = self.program;
         let ranges = self.program.ranges(draw.operator);
         let Some(sample) = callbacks.sample else {
-            let uniform = |[low, high]: &[f64; 2]| uniform_in(rng, *low, *high) as f32;
-            return Ok(Drawn::Parameters(ranges.iter().map(uniform).collect()));
+            let uniform = |[low, high]: &[f64; 2]| Ok(uniform_in(rng, *low, *high));
+            return rounded(ranges.iter().map(uniform)).map(Drawn::Parameters);
         };
         write(names, draw.skeleton, self.sequence)?;
         let told = critreg_draw {
@@ -147,29 +147,42 @@ impl<'a> Sampler<Program<'a>> for Draws<'_> {
             state_len: draw.state.len(),
             parameter_count: ranges.len(),
             attempt: draw.attempt,
+            advised: i32::from(draw.advised),
         };
         // A C program has generators of one kind; the planner may have any.
         let mut own = critreg_rng_seed(rng.next_u64());
-        let mut theta = [f64::NAN; MAX_PARAMETERS];
-        let mut reason = CRITREG_NO_REASON;
+        let mut drawn = critreg_drawn {
+            parameters: [f64::NAN; MAX_PARAMETERS],
+            informed: 0,
+            reason: CRITREG_NO_REASON,
+        };
         // SAFETY: a callback of the program, called as the header promises.
-        let status = unsafe { sample(user_data, &told, &mut own, theta.as_mut_ptr(), &mut reason) };
+        let status = unsafe { sample(user_data, &told, &mut own, &mut drawn) };
         if status == CRITREG_EMPTY_REGION {
-            return Ok(Drawn::Empty(reason_of(reason)));
+            return Ok(Drawn::Empty(reason_of(drawn.reason)));
         }
         stop_unless_ok(status, "sample")?;
-        let checked = theta
-            .iter()
-            .zip(ranges)
-            .map(|(value, range)| check(*value, *range));
-        Ok(Drawn::Parameters(
-            checked.collect::<Fallible<Parameters>>()?,
-        ))
+        let parameters = drawn.parameters.iter().zip(ranges);
+        let checked = rounded(parameters.map(|(value, range)| check(*value, *range)));
+        match drawn.informed {
+            0 => checked.map(Drawn::Parameters),
+            _ => checked.map(Drawn::Informed),
+        }
     }
 }
 
-/// A parameter in single precision, if it is in its range.
-fn check(value: f64, [low, high]: [f64; 2]) -> Fallible<f32> {
+/// Parameters as the planner keeps them, in single precision.
+pub(crate) fn rounded(values: impl Iterator<Item = Fallible<f64>>) -> Fallible<Parameters> {
+    let mut parameters = Parameters::new();
+    for value in values {
+        let pushed = parameters.push(value? as f32);
+        pushed.map_err(|_| Error::CapacityExceeded("parameters of an operator"))?;
+    }
+    Ok(parameters)
+}
+
+/// A parameter, if it is in its range.
+fn check(value: f64, [low, high]: [f64; 2]) -> Fallible<f64> {
     if !value.is_finite() {
         return Err(Error::NotFinite("a parameter that sample drew").into());
     }
@@ -178,7 +191,7 @@ fn check(value: f64, [low, high]: [f64; 2]) -> Fallible<f32> {
             "sample drew a parameter outside of its range",
         ));
     }
-    Ok(value as f32)
+    Ok(value)
 }
 
 /// A reason of the program; a number that no reason has is counted with those.

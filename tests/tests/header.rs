@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 18] = [
+const SOURCES: [&str; 19] = [
     "status.rs",
     "memory.rs",
     "report.rs",
@@ -23,6 +23,7 @@ const SOURCES: [&str; 18] = [
     "planner_metrics.rs",
     "check.rs",
     "stick_button.rs",
+    "stick_button_world.rs",
 ];
 
 fn root() -> PathBuf {

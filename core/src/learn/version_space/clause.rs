@@ -47,7 +47,9 @@ pub(super) fn best_clause<R: Real>(
 /// How much is excluded, with a preference for simple forms, and for one of them.
 fn worth<R: Real>(chosen: &Chosen<R>, excluded: usize) -> f64 {
     let reduction = |bound: &Bound<R>| Taste::SOBER.reduction(bound.side.level);
-    let second = chosen.or.filter(|or| or.side.form != chosen.bound.side.form);
+    let second = chosen
+        .or
+        .filter(|or| or.side.form != chosen.bound.side.form);
     let second = second.map_or(0.0, |or| SECOND_FORM + reduction(&or));
     excluded as f64 * (1.0 - 0.5 * (reduction(&chosen.bound) + second))
 }
