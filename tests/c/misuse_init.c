@@ -253,7 +253,7 @@ static void capacity_from_memory(void)
 
     OK(critreg_config_init(&config, sizeof config));
     config.learner = kind;
-    OK(critreg_stick_button_task(1, 0, task, 13));
+    OK(critreg_stick_button_task(1, 0, 1, task, 13));
     OK(critreg_learner_init(large, sizeof large, critreg_stick_button_domain(), &config, &learner));
     OK(critreg_ask(learner, task, 1, &instance, &theta));
     OK(critreg_report_init(&report, sizeof report));

@@ -321,14 +321,14 @@ static void generator_and_environment(void)
     OK(critreg_rng_uniform(&same, &second));
     EXPECT_TRUE(first == second);
 
-    EXPECT_TRUE(critreg_stick_button_instance_len() == 13);
-    EXPECT(CRITREG_NULL_POINTER, critreg_stick_button_task(1, 0, NULL, 13));
-    EXPECT(CRITREG_MISALIGNED, critreg_stick_button_task(1, 0, ASKEW(double, other), 13));
-    EXPECT(CRITREG_TOO_SMALL, critreg_stick_button_task(1, 0, instance, 12));
-    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_stick_button_task(1, 2, instance, 13));
-    OK(critreg_stick_button_task(1, options, instance, 13));
+    EXPECT_TRUE(critreg_stick_button_state_len(1) == 13);
+    EXPECT(CRITREG_NULL_POINTER, critreg_stick_button_task(1, 0, 1, NULL, 13));
+    EXPECT(CRITREG_MISALIGNED, critreg_stick_button_task(1, 0, 1, ASKEW(double, other), 13));
+    EXPECT(CRITREG_TOO_SMALL, critreg_stick_button_task(1, 0, 1, instance, 12));
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_stick_button_task(1, 2, 1, instance, 13));
+    OK(critreg_stick_button_task(1, options, 1, instance, 13));
     OK(critreg_stick_button_pick(&options, instance, &mu, &outcome));
-    OK(critreg_stick_button_task(1, 0, instance, 13));
+    OK(critreg_stick_button_task(1, 0, 1, instance, 13));
     OK(critreg_stick_button_pick(NULL, instance, &mu, &outcome));
     EXPECT_TRUE(outcome == CRITREG_FEASIBLE || outcome == CRITREG_INFEASIBLE);
     outcome = 77;
