@@ -91,6 +91,29 @@ fn ask_tell_resumes_to_the_same_region() {
 }
 
 #[test]
+fn plan_tasks_is_better_with_learned_regions() {
+    let outputs = BOTH.map(|language| output_of("plan_tasks.c", language, &[]));
+    let [rows, as_cpp] = outputs.each_ref().map(|output| {
+        let rows = output.lines().filter(|line| line.starts_with("tests: "));
+        let rows = rows.map(|row| row.split_once(", time_us_mean: ").unwrap().0);
+        rows.collect::<Vec<_>>()
+    });
+    assert_eq!(rows, as_cpp);
+    for tests in ["1 button", "3 or 4 buttons"] {
+        let row = |sampler: &str| {
+            let start = format!("tests: {tests}, sampler: {sampler}, ");
+            rows.iter().find(|row| row.starts_with(&start)).unwrap()
+        };
+        let [original, learned] = ["original", "learned"].map(row);
+        assert!(learned.contains("solved: 50/50"), "{learned}");
+        let samples = number(learned, "samples_mean");
+        assert!(samples < 1.1 * number(learned, "plan_length_mean"));
+        assert!(number(original, "samples_mean") > 5.0 * samples);
+    }
+    assert!(outputs[0].contains("region of pressing by hand: button.y <= 2.9 ("));
+}
+
+#[test]
 fn from_cpp_tells_errors_as_exceptions() {
     let output = output_of("from_cpp.cpp", Language::Cpp17, &[]);
     for part in [
