@@ -12,6 +12,9 @@
  *     critreg_region_format    the region as text
  *     critreg_region_constraint  what supports each constraint
  *     critreg_sample_region    parameters for the action, in an instance
+ *     critreg_sample_regions   the same, good for what comes after it, too
+ *     critreg_planner_init     PDDL texts and memory make a planner
+ *     critreg_plan             operators and parameters that reach a goal
  *
  * This file is the manual. It is generated from the library; do not edit it.
  *
@@ -19,12 +22,12 @@
  * MEMORY
  *
  * The library never allocates memory, and it keeps no pointer that is passed to
- * it after the call returns, with two exceptions: the memory a learner or region
- * was made in, and the progress callback of a learner with its data. Texts,
+ * it after the call returns, with two exceptions: the memory a learner, planner or
+ * region was made in, and the progress callback of a learner with its data. Texts,
  * configurations and manual samples are copied; instances are passed to every
  * call that needs them.
  *
- * The memory of a learner or region belongs to it from its init, parse or load
+ * The memory of a learner, planner or region belongs to it from its init, parse or load
  * call until the program stops using the handle. In that time it must stay where
  * it is and must not be written to or copied, because the handle in it refers to
  * its own address. There is nothing to free: when the program is done with the
@@ -45,14 +48,17 @@
  * 16 * hypotheses + 2560 at most. The macros of CRITREG_LEARNER_WORDS() are for
  * static arrays; they are enough for either learner.
  *
+ * A planner with the default capacities takes 265128 bytes, and 264 more for every
+ * number of a state. Most of it are 4096 nodes of the search, 50 bytes each.
+ *
  *
  * CALLS
  *
  * A function returns a status and writes its outputs only on success. Exceptions:
  * functions that cannot fail return their answer (critreg_strerror(),
  * critreg_rng_seed(), sizes); needed and count tell how much room is missing;
- * critreg_check_domain() and critreg_check_region() write what is wrong; and a
- * generator of random numbers moves on also if nothing was found.
+ * critreg_check_domain(), critreg_check_region() and critreg_check_pddl() write what
+ * is wrong; and a generator of random numbers moves on also if nothing was found.
  *
  * Arguments stand in this order: handle, inputs, user_data, outputs.
  *
@@ -63,7 +69,8 @@
  *
  * A buffer for text or bytes comes with its length and with needed, which may be
  * NULL. With a length of 0 the buffer may be NULL too; the call then tells the
- * length needed and returns CRITREG_TOO_SMALL.
+ * length needed and returns CRITREG_TOO_SMALL. An array without any numbers, such as
+ * the sample of an action without parameters, may be NULL.
  *
  * Structs start with struct_size, which their init function sets. So a program
  * compiled with an older header runs with a newer library, which then knows the
@@ -71,9 +78,9 @@
  * larger than the one it knows, with CRITREG_INVALID_ARGUMENT.
  *
  * A callback gets the user_data that was passed beside it. If it returns anything
- * but CRITREG_OK, the call ends with that status, and the learner stays usable.
- * While a callback runs, the learner that called it answers CRITREG_BUSY to all
- * functions but those that take it as const.
+ * but CRITREG_OK, the call ends with that status, and the learner or planner stays
+ * usable. While a callback runs, the learner or planner that called it answers
+ * CRITREG_BUSY to all functions but those that take it as const.
  *
  *
  * THREADS
@@ -208,6 +215,128 @@
  * distances, angles and areas, and min(...) and max(...) of those of a group. The expression in brackets behind a constraint
  * names its right side in words of the domain; it is kept and printed, and
  * otherwise ignored. Limit: CRITREG_MAX_CONSTRAINTS constraints.
+ *
+ *
+ * PLANNING
+ *
+ * Whoever has a planner uses the regions: critreg_sample_region() for an action,
+ * critreg_sample_regions() for an action that has to be good for later ones,
+ * critreg_region_contains() without a sample for an action without parameters, and
+ * CRITREG_EMPTY_REGION as the reason to drop a plan skeleton.
+ *
+ * Whoever has none uses this one: search, then sample (Srivastava et al. 2014;
+ * Chitnis et al. 2022). An operator is a PDDL action with objects and, beyond PDDL,
+ * continuous parameters. Planning goes through sequences of operators that reach the
+ * goal in the abstract (A* with LM-cut), and draws the parameters of each until the
+ * program's simulator does what the operators promise. A complete program:
+ *
+ *     #include <stdio.h>
+ *     #include "critreg.h"
+ *
+ *     // A cart drives along a rail and lights a lamp, which stands at 3.
+ *     static const char DOMAIN[] =
+ *         "(define (domain rail)"
+ *         "  (:predicates (AtLamp) (Lit))"
+ *         "  (:action Drive :parameters () :effect (AtLamp))"
+ *         "  (:action Light :parameters () :precondition (AtLamp) :effect (Lit)))";
+ *     static const char PROBLEM[] =
+ *         "(define (problem light) (:domain rail) (:init) (:goal (Lit)))";
+ *
+ *     // The state: where the cart is, and whether the lamp is lit.
+ *     static critreg_status execute(void *user_data, const critreg_ground *ground,
+ *                                   const double *parameters, const double *before,
+ *                                   double *after, size_t len, uint32_t *actions) {
+ *         (void)user_data, (void)len;
+ *         if (ground->index == 0)
+ *             after[0] = before[0] + parameters[0];
+ *         else
+ *             after[1] = 1.0;
+ *         *actions = 1;
+ *         return CRITREG_OK;
+ *     }
+ *
+ *     static critreg_status holds(void *user_data, const critreg_ground *ground,
+ *                                 const double *state, size_t len, int32_t *holds) {
+ *         (void)user_data, (void)len;
+ *         if (ground->index == 0)
+ *             *holds = state[0] > 2.9 && state[0] < 3.1;
+ *         else
+ *             *holds = state[1] > 0.5;
+ *         return CRITREG_OK;
+ *     }
+ *
+ *     static uint64_t memory[CRITREG_PLANNER_WORDS(2)];
+ *
+ *     int main(void) {
+ *         static const double far[2] = {-4.0, 4.0}, start[2] = {0.0, 0.0};
+ *         critreg_planner_config config;
+ *         critreg_callbacks callbacks;
+ *         critreg_planner *planner;
+ *         critreg_step step;
+ *         size_t length, i;
+ *
+ *         critreg_planner_config_init(&config, sizeof config);
+ *         config.state_len = 2;
+ *         critreg_callbacks_init(&callbacks, sizeof callbacks);
+ *         callbacks.execute = execute;
+ *         callbacks.holds = holds;
+ *         if (critreg_planner_init(memory, sizeof memory, DOMAIN, PROBLEM, &config,
+ *                                  &planner) != CRITREG_OK
+ *             || critreg_planner_set_ranges(planner, "Drive", far, 1) != CRITREG_OK
+ *             || critreg_plan(planner, &callbacks, start, 1, NULL, &length)
+ *                 != CRITREG_OK)
+ *             return 1;
+ *         critreg_step_init(&step, sizeof step);
+ *         for (i = 0; i < length; i++) {
+ *             critreg_planner_step(planner, i, &step);
+ *             printf("%s %.1f\n", step.ground.name, step.parameters[0]);
+ *         }
+ *         return 0;
+ *     }
+ *
+ * It prints "Drive 3.0" and "Light 0.0".
+ *
+ * Regions are brought in by two more callbacks: sample draws from them, and advise
+ * tells the search that a sequence of operators cannot work before anything is
+ * drawn for it. Both are advice: if there is no plan before patience ends, planning
+ * begins anew without it. critreg_metrics tells what planning cost, which operator
+ * failed most often, and which reason of the program's was given most often.
+ * c_examples/plan_tasks.c shows all of it.
+ *
+ * The PDDL that is understood is typed STRIPS with constants and equality:
+ *
+ *     domain     = "(" "define" "(" "domain" name ")" [ requires ]
+ *                  [ "(" ":types" { typed-name } ")" ]
+ *                  [ "(" ":constants" { typed-name } ")" ]
+ *                  [ "(" ":predicates" { "(" name { typed-var } ")" } ")" ]
+ *                  { action } ")" ;              (* ";" starts a comment *)
+ *     action     = "(" ":action" name ":parameters" "(" { typed-var } ")"
+ *                  [ ":precondition" condition ] [ ":effect" effect ] ")" ;
+ *     problem    = "(" "define" "(" "problem" name ")"
+ *                  "(" ":domain" name ")" [ requires ]
+ *                  [ "(" ":objects" { typed-name } ")" ]
+ *                  "(" ":init" { atom } ")" "(" ":goal" goal ")" ")" ;
+ *     requires   = "(" ":requirements" { ":strips" | ":typing" | ":equality"
+ *                                      | ":negative-preconditions" } ")" ;
+ *     condition  = "(" ")" | "(" "and" { condition } ")" | atom | equal
+ *                | "(" "not" equal ")" ;
+ *     effect     = "(" ")" | "(" "and" { effect } ")" | atom
+ *                | "(" "not" atom ")" ;
+ *     goal       = "(" ")" | "(" "and" { goal } ")" | atom ;
+ *     atom       = "(" name { term } ")" ;
+ *     equal      = "(" "=" term term ")" ;
+ *     term       = name | variable ;             (* names only in problems *)
+ *     typed-name = name [ "-" name ] ;           (* "a b - c": both are c *)
+ *     typed-var  = variable [ "-" name ] ;
+ *
+ * Case does not matter. Everything else of PDDL is refused by name, at its line and
+ * column. Atoms of predicates that no action changes are decided when the planner is
+ * made, and not asked for.
+ *
+ * Limits: 32 types, 16 constants, 32 predicates, 32 actions with 4 parameters each
+ * and 256 preconditions and effects in all; 64 objects, 512 atoms of :init, 16 of
+ * the goal, 128 ground atoms that actions change. The rest is in
+ * critreg_planner_config.
  *
  *
  * LINKING

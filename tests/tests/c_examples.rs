@@ -113,6 +113,25 @@ fn plan_tasks_is_better_with_learned_regions() {
     assert!(outputs[0].contains("region of pressing by hand: button.y <= 2.9 ("));
 }
 
+/// The program in the chapter on planning of the manual.
+#[test]
+fn the_manual_tells_the_truth_about_its_program() {
+    let header = std::fs::read_to_string(root().join("include/critreg.h")).unwrap();
+    let (_, chapter) = header.split_once(" * PLANNING\n").unwrap();
+    let (_, behind) = chapter.split_once(" A complete program:\n *\n").unwrap();
+    let (program, told) = behind.split_once(" * It prints ").unwrap();
+    let lines = program.lines().map(|line| line.get(7..).unwrap_or(""));
+    let source = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("manual.c");
+    std::fs::write(&source, lines.collect::<Vec<_>>().join("\n")).unwrap();
+    for language in BOTH {
+        let program = compile("manual", std::slice::from_ref(&source), language);
+        let output = run(&mut Command::new(program));
+        let printed = String::from_utf8(output.stdout).unwrap();
+        let quoted: Vec<_> = printed.lines().map(|line| format!("\"{line}\"")).collect();
+        assert!(told.starts_with(&quoted.join(" and ")), "{printed}");
+    }
+}
+
 #[test]
 fn from_cpp_tells_errors_as_exceptions() {
     let output = output_of("from_cpp.cpp", Language::Cpp17, &[]);
