@@ -31,7 +31,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         if self.report.feasible == 0 || self.report.infeasible == 0 {
             return Ok(pending);
         }
-        if self.calls_left() <= self.config.certifying && self.is_explained() {
+        if self.calls_left() <= self.certify_from && self.is_explained() {
             if !self.certifying {
                 self.certifying = true;
                 self.elect(problem.domain())?;

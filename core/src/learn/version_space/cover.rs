@@ -58,6 +58,12 @@ impl<R: Real> Chosen<R> {
         core::iter::once(&self.bound).chain(&self.or)
     }
 
+    /// Whether its bounds have other ends than those of another.
+    pub(super) fn is_elsewhere(&self, other: &Self) -> bool {
+        let ends = |bound: &Bound<R>| (bound.side, bound.inner, bound.outer);
+        !self.bounds().map(ends).eq(other.bounds().map(ends))
+    }
+
     /// The length of its description in bits, after that of `others`.
     pub(super) fn bits(&self, forms: &Forms<'_, R>, others: &[Chosen<R>]) -> f64 {
         let named = |side: &Side| {

@@ -4,7 +4,7 @@ use super::cover::{Cover, MEMBERS};
 use super::explain;
 use super::greedy::Taste;
 use super::set::count;
-use super::{CANDIDATES, VersionSpace};
+use super::{CANDIDATES, Certificate, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::grammar::Formula;
@@ -41,18 +41,22 @@ impl<R: Real> VersionSpace<'_, R> {
     }
 
     /// Brings the best explanation of each step up to date, the shortest of all
-    /// that are known.
-    pub(super) fn mend_best(&mut self) {
+    /// that are known. Tells whether one of their bounds moved.
+    pub(super) fn mend_best(&mut self) -> bool {
         let slack = self.config.slack;
+        let mut moved = false;
         for (step, covers) in self.covers.chunks_mut(MEMBERS).enumerate() {
             let Some((best, others)) = covers.split_first_mut() else {
                 continue;
             };
+            let before = best.chosen.clone();
             best.measure(&self.forms, step, slack);
             if best.complete {
+                let pairs = best.chosen.iter().zip(&before);
+                moved |= pairs.into_iter().any(|(new, old)| new.is_elsewhere(old));
                 continue;
             }
-            self.elected = false;
+            (self.elected, moved) = (false, true);
             *best = Cover::greedy(&self.forms, step, Taste::SOBER, slack, &mut self.rng);
             for other in others {
                 other.measure(&self.forms, step, 0.0);
@@ -61,6 +65,16 @@ impl<R: Real> VersionSpace<'_, R> {
                     core::mem::swap(best, other);
                 }
             }
+        }
+        moved
+    }
+
+    /// Counts again how many samples support each constraint of the region.
+    pub(super) fn count_support(&mut self) {
+        let best = self.covers.iter().step_by(MEMBERS).flat_map(|c| &c.chosen);
+        let counts = best.flat_map(|chosen| chosen.bounds().map(|_| chosen.support));
+        for (evidence, count) in self.support.iter_mut().zip(counts) {
+            evidence.support = count;
         }
     }
 
@@ -141,7 +155,11 @@ impl<R: Real> VersionSpace<'_, R> {
         let best = self.covers.iter().step_by(MEMBERS).enumerate();
         let strays = best.map(|(step, cover)| cover.strays(&self.forms, step));
         self.report.strays = strays.sum();
-        self.region = Region::new(domain, formula);
+        let region = Region::new(domain, formula);
+        if region != self.region {
+            self.region = region;
+            self.report.certificate = Certificate::default();
+        }
         Ok(())
     }
 }

@@ -123,6 +123,8 @@ pub struct VersionSpace<'m, R> {
     /// Whether some instance has feasible and infeasible samples.
     influence: bool,
     certifying: bool,
+    /// When so many answers are left, certifying begins.
+    certify_from: u32,
     /// Whether the best explanations won an election and still hold.
     elected: bool,
     /// How long the best explanations were at the last election, in bits.
@@ -179,6 +181,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             observations: Table::new(cut(observations, capacity.observations)?, "observations"),
             rng: generator(config.seed),
             needed_lead: needed_lead(config.noise),
+            certify_from: config.certifying,
             config,
             capacity,
             forms,
@@ -248,7 +251,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         let failed = (!feasible).then_some(failed);
         self.forms.add(query.instance, &lefts, worked, failed)?;
         self.note_influence(query, feasible);
-        self.mend_best();
+        let moved = self.mend_best();
         let Certificate {
             mut draws,
             feasible: mut worked,
@@ -258,14 +261,17 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             draws += 1;
             worked += u32::from(feasible);
         }
-        if !(pending.certifying && feasible) {
-            let before = self.region.clone();
-            self.rebuild_region(problem.domain())?;
-            if self.region != before {
-                (draws, worked) = (0, 0);
-            }
-        }
         self.report.certificate = Certificate::new(draws, worked, self.config.confidence);
+        match (pending.certifying, feasible) {
+            (true, true) => {}
+            (false, _) if !moved => self.count_support(),
+            (true, false) => {
+                // Half of the answers that are left may find out what is wrong.
+                (self.certifying, self.certify_from) = (false, self.calls_left() / 2);
+                self.rebuild_region(problem.domain())?;
+            }
+            (false, _) => self.rebuild_region(problem.domain())?,
+        }
         Ok(())
     }
 

@@ -21,14 +21,29 @@ impl<R: Real> Default for Span<R> {
 }
 
 impl<R: Real> Span<R> {
+    /// Widens to a value. Tells whether it lay outside, and whether above; what is no
+    /// number does not.
+    #[inline(always)]
+    pub(super) fn take_in(&mut self, value: R) -> Option<bool> {
+        if value < self.low {
+            self.low = value;
+            Some(false)
+        } else if value > self.high {
+            self.high = value;
+            Some(true)
+        } else {
+            None
+        }
+    }
+
     /// Whether a value lies outside, on one side, by more than rounding: a form
     /// that is constant up to rounding explains nothing.
     #[inline(always)]
     pub(super) fn excludes(&self, value: R, upper: bool) -> bool {
         if upper {
-            value > self.high + tolerance(value)
+            value - tolerance(value) > self.high
         } else {
-            value < self.low - tolerance(value)
+            value + tolerance(value) < self.low
         }
     }
 }
@@ -75,8 +90,10 @@ impl<R: Real> Known<'_, R> {
         }
     }
 
-    /// Brings up to date which infeasible samples of a step a form excludes.
+    /// Brings up to date which infeasible samples of a step a form excludes on a side
+    /// on which S grew.
     #[expect(clippy::too_many_arguments)]
+    #[inline(always)]
     pub(super) fn settle_bits(
         &self,
         bits: &mut [u64],
@@ -86,23 +103,20 @@ impl<R: Real> Known<'_, R> {
         left: usize,
         column: usize,
         span: &Span<R>,
+        upper: bool,
         step: &Step,
     ) {
-        for (word, mask) in step.infeasible.iter().enumerate().take(words) {
-            for upper in [false, true] {
-                let place = (2 * word + usize::from(upper)) * capacity + form;
-                let Some(slot) = bits.get_mut(place) else {
-                    continue;
-                };
-                // S only grows, which only takes bits away.
-                let mut open = *mask & *slot;
-                while open != 0 {
-                    let bit = open & open.wrapping_neg();
-                    open ^= bit;
-                    let sample = 64 * word + bit.trailing_zeros() as usize;
-                    if !span.excludes(self.value(left, column, sample), upper) {
-                        *slot &= !bit;
-                    }
+        let start = usize::from(upper) * capacity + form;
+        let planes = bits.get_mut(start..).unwrap_or(&mut []);
+        let slots = planes.iter_mut().step_by((2 * capacity).max(1));
+        for (word, (slot, mask)) in slots.zip(&step.infeasible).take(words).enumerate() {
+            let mut open = *mask & *slot;
+            while open != 0 {
+                let bit = open & open.wrapping_neg();
+                open ^= bit;
+                let sample = 64 * word + bit.trailing_zeros() as usize;
+                if !span.excludes(self.value(left, column, sample), upper) {
+                    *slot &= !bit;
                 }
             }
         }

@@ -1,8 +1,29 @@
 //! Taking samples in: S widens, and the sets of excluded samples follow.
 
-use super::{Forms, Known, Sample};
+use super::{Forms, Known, Sample, Span, tolerance};
 use crate::error::Error;
 use crate::real::Real;
+
+/// Neighbouring forms that are looked at together: in most blocks nothing changes.
+const BLOCK: usize = 16;
+
+/// All bits or none: a choice without a branch, so that forms are compared side by
+/// side.
+#[inline(always)]
+fn mask(chosen: bool) -> u64 {
+    u64::from(chosen).wrapping_neg()
+}
+
+/// Whether the value of some form of a block is not in S. Without branches, so that
+/// forms are compared side by side.
+#[inline(always)]
+fn any_outside<R: Real>(left: R, rights: &[R], spans: &[Span<R>]) -> bool {
+    let pairs = rights.iter().zip(spans);
+    pairs.fold(false, |any, (right, span)| {
+        let value = left - *right;
+        any | (value < span.low) | (value > span.high)
+    })
+}
 
 impl<R: Real> Forms<'_, R> {
     /// Takes a sample at which the steps before `worked` worked, and that one
@@ -79,18 +100,22 @@ impl<R: Real> Forms<'_, R> {
             let left = lefts.get(run.left).copied().unwrap_or(R::NAN);
             let spans = spans.get_mut(run.forms.clone()).unwrap_or(&mut []);
             let rights = rights.get(run.columns.clone()).unwrap_or(&[]);
-            for (at, (span, right)) in spans.iter_mut().zip(rights).enumerate() {
-                let value = left - *right;
-                if value >= span.low && value <= span.high {
+            let blocks = spans.chunks_mut(BLOCK).zip(rights.chunks(BLOCK));
+            for (at, (spans, rights)) in blocks.enumerate() {
+                if !any_outside(left, rights, spans) {
                     continue;
                 }
-                let column = run.columns.start + at;
-                span.low = span.low.min(value);
-                span.high = span.high.max(value);
-                let form = run.forms.start + at;
-                known.settle_bits(
-                    self.bits, capacity, words, form, run.left, column, span, &own,
-                );
+                for (within, (span, right)) in spans.iter_mut().zip(rights).enumerate() {
+                    let value = left - *right;
+                    let at = BLOCK * at + within;
+                    let (form, column) = (run.forms.start + at, run.columns.start + at);
+                    // The first sample widens both sides.
+                    while let Some(upper) = span.take_in(value) {
+                        known.settle_bits(
+                            self.bits, capacity, words, form, run.left, column, span, upper, &own,
+                        );
+                    }
+                }
             }
         }
     }
@@ -114,8 +139,9 @@ impl<R: Real> Forms<'_, R> {
             let sides = below.iter_mut().zip(above);
             for ((span, right), (below, above)) in spans.iter().zip(rights).zip(sides) {
                 let value = left - *right;
-                *below |= if span.excludes(value, false) { bit } else { 0 };
-                *above |= if span.excludes(value, true) { bit } else { 0 };
+                let rounding = tolerance(value);
+                *below |= bit & mask(value + rounding < span.low);
+                *above |= bit & mask(value - rounding > span.high);
             }
         }
     }
