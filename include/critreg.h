@@ -39,17 +39,17 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            139400 bytes           39816 bytes
- *           4096           256            558472 bytes           51592 bytes
- *          10000           256           1177212 bytes           60428 bytes
- *          20000           256           2169712 bytes           75432 bytes
+ *           1024           128            141136 bytes           38864 bytes
+ *           4096           256            560208 bytes           50640 bytes
+ *          10000           256           1178948 bytes           59476 bytes
+ *          20000           256           2171448 bytes           74480 bytes
  *
  * Every further instance takes hypotheses + 512 bytes more, every further step
  * 16 * hypotheses + 2560 at most. The macros of CRITREG_LEARNER_WORDS() are for
  * static arrays; they are enough for either learner.
  *
- * A planner with the default capacities takes 265128 bytes, and 264 more for every
- * number of a state. Most of it are 4096 nodes of the search, 50 bytes each.
+ * A planner with the default capacities takes 230320 bytes, and 264 more for every
+ * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
  *
  *
  * CALLS
@@ -490,7 +490,7 @@
 /**
  * Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_NODE_BYTES 50
+#define CRITREG_NODE_BYTES 42
 
 /**
  * Bytes of a step of the longest plan, apart from its state and pointers; for

@@ -49,7 +49,7 @@ pub const CRITREG_PLANNER_POINTERS: usize = 1_040;
 pub const CRITREG_OPERATOR_BYTES: usize = 76;
 
 /// Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
-pub const CRITREG_NODE_BYTES: usize = 50;
+pub const CRITREG_NODE_BYTES: usize = 42;
 
 /// Bytes of a step of the longest plan, apart from its state and pointers; for
 /// CRITREG_PLANNER_WORDS.

@@ -110,7 +110,8 @@ pub const CRITREG_NO_REASON: u32 = 0xFFFF;
 ///
 /// @param user_data What the program passed to critreg_plan().
 /// @param ground The operator and its objects.
-/// @param parameters Its parameters: one number each.
+/// @param parameters Its parameters: CRITREG_MAX_PARAMETERS numbers, 0 beyond the
+/// last.
 /// @param before The state before.
 /// @param after Holds a copy of it; receives the state afterwards, which may be
 /// any if the operator fails.

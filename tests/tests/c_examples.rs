@@ -50,7 +50,7 @@ fn pick_stick_reports_both_learners() {
     assert!(number(sound, "feasibility rate") > 0.99, "{sound}");
     assert!(number(sound, "coverage") > 0.95, "{sound}");
     for part in [
-        "region: grasp.y <= 2.9 (",
+        "grasp.y <= 2.9 (zone.top - robot.radius)",
         "constraint 2: ",
         "feasible to S = ",
         "certificate: 10 of 10 draws",
@@ -143,6 +143,10 @@ fn from_cpp_tells_errors_as_exceptions() {
         "written: opening >= peg.width + finger.gap",
         "[0.0700, 0.1000] 1000 draws, 1000 of them feasible",
         "peg of 0.095: 0 draws",
+        "an opening for two pegs: 0.0",
+        "plan with it: (Open peg) (Close peg) after 2 samples",
+        "stopped: cannot run (Open peg)",
+        "no plan: no sequence of up to max_length operators is left; Open failed most",
         "CRITREG_SYNTAX_ERROR: line 1, column 12: unknown name",
     ] {
         assert!(output.contains(part), "no {part} in {output}");

@@ -84,6 +84,34 @@ fn everything_is_documented() {
     }
 }
 
+/// What the manual says about the memory of a planner is true on machines with
+/// pointers of 64 bits.
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn the_memory_of_a_planner_is_true() {
+    use critreg_ffi::planner::critreg_planner_size;
+    use critreg_ffi::planner_config::critreg_planner_config_init;
+    let size = |state_len: u32| {
+        let mut config = std::mem::MaybeUninit::uninit();
+        // SAFETY: the pointer is to a variable of the size told, which is
+        // initialised when it succeeds.
+        let mut config = unsafe {
+            let len = size_of_val(&config);
+            assert_eq!(critreg_planner_config_init(config.as_mut_ptr(), len), 0);
+            config.assume_init()
+        };
+        config.state_len = state_len;
+        // SAFETY: it is a configuration.
+        unsafe { critreg_planner_size(&config) }
+    };
+    let each = size(2) - size(1);
+    let told = format!(
+        "A planner with the default capacities takes {} bytes, and {each} more for every",
+        size(1) - each
+    );
+    assert!(generated().contains(&told), "{told}");
+}
+
 /// The manual's table of how much memory a learner takes is true on machines with
 /// pointers of 64 bits.
 #[test]
