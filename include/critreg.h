@@ -1107,7 +1107,8 @@ typedef struct critreg_ground {
  *
  * @param user_data What the program passed to critreg_plan().
  * @param ground The operator and its objects.
- * @param parameters Its parameters: one number each.
+ * @param parameters Its parameters: CRITREG_MAX_PARAMETERS numbers, 0 beyond the
+ * last.
  * @param before The state before.
  * @param after Holds a copy of it; receives the state afterwards, which may be
  * any if the operator fails.
@@ -1155,7 +1156,7 @@ typedef struct critreg_draw {
      */
     size_t length;
     /**
-     * The step to draw for, from 0: its operator is skeleton[step].
+     * The step to draw for, from 0; its operator is at this place of the skeleton.
      */
     size_t step;
     /**

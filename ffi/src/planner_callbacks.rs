@@ -49,7 +49,7 @@ pub struct critreg_draw {
     pub skeleton: *const critreg_ground,
     /// How many there are.
     pub length: usize,
-    /// The step to draw for, from 0: its operator is skeleton[step].
+    /// The step to draw for, from 0; its operator is at this place of the skeleton.
     pub step: usize,
     /// The state before it.
     pub state: *const f64,
