@@ -27,10 +27,11 @@
 //! | [`stick_button`], [`stick_button_world`] | the built-in environment, to learn and to plan in |
 //!
 //! # Why it is sound
-//! - The parts of a handle are cut out of the caller's memory without overlap
-//!   (the `memory` and `layout` modules compute their places and nothing else does), so no
-//!   reference to one covers another. `'static` in their types means: as long as
-//!   the caller lends the memory, which the header makes the caller's promise.
+//! - The parts of a handle are cut out of the caller's memory without overlap (the
+//!   `memory`, `layout` and `planner_layout` modules compute their places and nothing
+//!   else does), so no reference to one covers another. `'static` in their types
+//!   means: as long as the caller lends the memory, which the header makes the
+//!   caller's promise.
 //! - All that a learner or planner changes is behind a `RefCell`. A callback that calls back
 //!   finds it borrowed and gets [`status::CRITREG_BUSY`].
 //! - A handle is used only if it carries its seal, which depends on its address:
