@@ -1,8 +1,8 @@
 // The library from C++17: a gripper closes around pegs of different width.
 //
 // The program learns how wide to open it, and draws openings for pegs that it has
-// not seen: from the region that was learned, and from one written by hand. Errors
-// are exceptions.
+// not seen: from the region that was learned, and from one written by hand. Then it
+// plans with it. Errors are exceptions.
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -68,6 +68,72 @@ static void try_region(const critreg::Region &region, double width) {
     std::printf(" %d draws, %d of them feasible\n", drawn, feasible);
 }
 
+static const char OPERATORS[] =
+    "(define (domain gripper)"
+    "  (:types peg)"
+    "  (:predicates (Around ?p - peg) (Held ?p - peg))"
+    "  (:action Open :parameters (?p - peg) :effect (Around ?p))"
+    "  (:action Close :parameters (?p - peg) :precondition (Around ?p) :effect (Held ?p)))";
+static const char PROBLEM[] =
+    "(define (problem grip) (:domain gripper) (:objects peg - peg) (:init) (:goal (Held peg)))";
+
+// A state is the width of the peg, how wide the gripper is open, and whether it holds.
+static critreg::World world(const critreg::Region *region) {
+    critreg::World world;
+    world.execute = [](const critreg::Ground &ground, const double *parameters,
+                       std::vector<double> &state) -> std::uint32_t {
+        if (ground.name == "Open") {
+            state[1] = parameters[0];
+            return 1;
+        }
+        state[2] = close_gripper(&state[0], &state[1]) == CRITREG_FEASIBLE;
+        return 1;
+    };
+    world.holds = [](const critreg::Ground &ground, const std::vector<double> &state) {
+        return ground.name == "Held" ? state[2] > 0.5 : state[1] > state[0];
+    };
+    if (region != nullptr)
+        world.sample = [region](const critreg_draw &draw, critreg::Rng &rng,
+                                critreg_drawn &drawn) -> critreg_status {
+            if (draw.parameter_count == 0) return CRITREG_OK;
+            const auto opening = region->sample({draw.state[0]}, rng);
+            if (!opening) return CRITREG_EMPTY_REGION;
+            drawn.parameters[0] = opening->front();
+            drawn.informed = 1;
+            return CRITREG_OK;
+        };
+    return world;
+}
+
+static void plan(const critreg::Region &region) {
+    critreg_planner_config config = critreg::Planner::default_config();
+    config.state_len = 3;
+    critreg::Planner planner(OPERATORS, PROBLEM, config);
+    planner.set_ranges("Open", {{0.0, 0.1}});
+    const std::vector<double> initial = {0.085, 0.0, 0.0};
+    for (bool informed : {false, true}) {
+        const auto steps = planner.plan(world(informed ? &region : nullptr), initial, 1);
+        std::printf("plan %s:", informed ? "with it" : "without the region");
+        for (const critreg::Step &step : steps.value())
+            std::printf(" %s", step.ground.text().c_str());
+        std::printf(" after %u samples\n", planner.metrics().samples);
+    }
+    // What a callback throws comes through, and planning can go on.
+    critreg::World broken = world(&region);
+    broken.execute = [](const critreg::Ground &ground, const double *,
+                        std::vector<double> &) -> std::uint32_t {
+        throw std::runtime_error("cannot run " + ground.text());
+    };
+    try {
+        planner.plan(broken, initial, 1);
+    } catch (const std::runtime_error &stopped) {
+        std::printf("stopped: %s\n", stopped.what());
+    }
+    // A peg that is too wide: the region is empty, and says so.
+    if (!planner.plan(world(&region), {0.095, 0.0, 0.0}, 1))
+        std::printf("%s; %s failed most\n", planner.why().c_str(), planner.metrics().most_failed);
+}
+
 int main() {
     try {
         const critreg::Region learned = learn_openings();
@@ -78,6 +144,12 @@ int main() {
             critreg::Region::parse(DOMAIN, "opening >= peg.width + finger.gap");
         std::printf("written: %s\n", written.text().c_str());
         for (double width : {0.025, 0.06, 0.095}) try_region(written, width);
+
+        const std::vector<double> thin = {0.025}, thick = {0.06};
+        critreg::Rng rng(7);
+        const auto both = critreg::sample({{written, thin}, {written, thick}}, rng);
+        std::printf("an opening for two pegs: %.4f\n", both.value().front());
+        plan(learned);
 
         // Errors tell what is wrong and where.
         critreg::Region::parse(DOMAIN, "opening >= peg.height");

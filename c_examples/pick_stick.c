@@ -35,7 +35,7 @@ static const critreg_region *learn(uint32_t kind, uint64_t seed, uint32_t iterat
     critreg_status status;
     uint64_t i;
     for (i = 0; i < TRAINING; i++)
-        CHECK(critreg_stick_button_task(FIRST_TRAINING + TRAINING * seed + i, 0, instances[i],
+        CHECK(critreg_stick_button_task(FIRST_TRAINING + TRAINING * seed + i, 0, 1, instances[i],
                                         NUMBERS));
     CHECK(critreg_config_init(&config, sizeof config));
     config.learner = kind;
@@ -136,7 +136,7 @@ static void run(const char *title, uint32_t kind, uint32_t iterations, long seed
 int main(int argc, char **argv)
 {
     long seeds = argc > 1 ? strtol(argv[1], NULL, 10) : 100;
-    if (seeds < 1 || seeds > MOST_SEEDS || critreg_stick_button_instance_len() != NUMBERS)
+    if (seeds < 1 || seeds > MOST_SEEDS || critreg_stick_button_state_len(1) != NUMBERS)
         return fprintf(stderr, "usage: pick_stick [1 to %d seeds]\n", MOST_SEEDS), EXIT_FAILURE;
     printf("tasks to try: %d, draws: %d\nfeasibility rate of the original sampler: %.3f\n",
            TASKS, TASKS * DRAWS, try_original_sampler());

@@ -43,7 +43,7 @@ static double try_original_sampler(void)
     critreg_rng rng = critreg_rng_seed(1);
     int feasible = 0, t, d;
     for (t = 0; t < TASKS; t++) {
-        CHECK(critreg_stick_button_task(FIRST_TASK + (uint64_t)t, 0, tasks[t], NUMBERS));
+        CHECK(critreg_stick_button_task(FIRST_TASK + (uint64_t)t, 0, 1, tasks[t], NUMBERS));
         for (d = 0; d < DRAWS; d++) {
             CHECK(critreg_rng_uniform(&rng, &original[t][d]));
             works[t][d] = picks(tasks[t], original[t][d]);

@@ -12,6 +12,9 @@
  *     critreg_region_format    the region as text
  *     critreg_region_constraint  what supports each constraint
  *     critreg_sample_region    parameters for the action, in an instance
+ *     critreg_sample_regions   the same, good for what comes after it, too
+ *     critreg_planner_init     PDDL texts and memory make a planner
+ *     critreg_plan             operators and parameters that reach a goal
  *
  * This file is the manual. It is generated from the library; do not edit it.
  *
@@ -19,12 +22,12 @@
  * MEMORY
  *
  * The library never allocates memory, and it keeps no pointer that is passed to
- * it after the call returns, with two exceptions: the memory a learner or region
- * was made in, and the progress callback of a learner with its data. Texts,
+ * it after the call returns, with two exceptions: the memory a learner, planner or
+ * region was made in, and the progress callback of a learner with its data. Texts,
  * configurations and manual samples are copied; instances are passed to every
  * call that needs them.
  *
- * The memory of a learner or region belongs to it from its init, parse or load
+ * The memory of a learner, planner or region belongs to it from its init, parse or load
  * call until the program stops using the handle. In that time it must stay where
  * it is and must not be written to or copied, because the handle in it refers to
  * its own address. There is nothing to free: when the program is done with the
@@ -36,14 +39,17 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            139400 bytes           39816 bytes
- *           4096           256            558472 bytes           51592 bytes
- *          10000           256           1177212 bytes           60428 bytes
- *          20000           256           2169712 bytes           75432 bytes
+ *           1024           128            141136 bytes           38864 bytes
+ *           4096           256            560208 bytes           50640 bytes
+ *          10000           256           1178948 bytes           59476 bytes
+ *          20000           256           2171448 bytes           74480 bytes
  *
  * Every further instance takes hypotheses + 512 bytes more, every further step
  * 16 * hypotheses + 2560 at most. The macros of CRITREG_LEARNER_WORDS() are for
  * static arrays; they are enough for either learner.
+ *
+ * A planner with the default capacities takes 230320 bytes, and 264 more for every
+ * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
  *
  *
  * CALLS
@@ -51,8 +57,8 @@
  * A function returns a status and writes its outputs only on success. Exceptions:
  * functions that cannot fail return their answer (critreg_strerror(),
  * critreg_rng_seed(), sizes); needed and count tell how much room is missing;
- * critreg_check_domain() and critreg_check_region() write what is wrong; and a
- * generator of random numbers moves on also if nothing was found.
+ * critreg_check_domain(), critreg_check_region() and critreg_check_pddl() write what
+ * is wrong; and a generator of random numbers moves on also if nothing was found.
  *
  * Arguments stand in this order: handle, inputs, user_data, outputs.
  *
@@ -63,7 +69,8 @@
  *
  * A buffer for text or bytes comes with its length and with needed, which may be
  * NULL. With a length of 0 the buffer may be NULL too; the call then tells the
- * length needed and returns CRITREG_TOO_SMALL.
+ * length needed and returns CRITREG_TOO_SMALL. An array without any numbers, such as
+ * the sample of an action without parameters, may be NULL.
  *
  * Structs start with struct_size, which their init function sets. So a program
  * compiled with an older header runs with a newer library, which then knows the
@@ -71,9 +78,9 @@
  * larger than the one it knows, with CRITREG_INVALID_ARGUMENT.
  *
  * A callback gets the user_data that was passed beside it. If it returns anything
- * but CRITREG_OK, the call ends with that status, and the learner stays usable.
- * While a callback runs, the learner that called it answers CRITREG_BUSY to all
- * functions but those that take it as const.
+ * but CRITREG_OK, the call ends with that status, and the learner or planner stays
+ * usable. While a callback runs, the learner or planner that called it answers
+ * CRITREG_BUSY to all functions but those that take it as const.
  *
  *
  * THREADS
@@ -210,6 +217,128 @@
  * otherwise ignored. Limit: CRITREG_MAX_CONSTRAINTS constraints.
  *
  *
+ * PLANNING
+ *
+ * Whoever has a planner uses the regions: critreg_sample_region() for an action,
+ * critreg_sample_regions() for an action that has to be good for later ones,
+ * critreg_region_contains() without a sample for an action without parameters, and
+ * CRITREG_EMPTY_REGION as the reason to drop a plan skeleton.
+ *
+ * Whoever has none uses this one: search, then sample (Srivastava et al. 2014;
+ * Chitnis et al. 2022). An operator is a PDDL action with objects and, beyond PDDL,
+ * continuous parameters. Planning goes through sequences of operators that reach the
+ * goal in the abstract (A* with LM-cut), and draws the parameters of each until the
+ * program's simulator does what the operators promise. A complete program:
+ *
+ *     #include <stdio.h>
+ *     #include "critreg.h"
+ *
+ *     // A cart drives along a rail and lights a lamp, which stands at 3.
+ *     static const char DOMAIN[] =
+ *         "(define (domain rail)"
+ *         "  (:predicates (AtLamp) (Lit))"
+ *         "  (:action Drive :parameters () :effect (AtLamp))"
+ *         "  (:action Light :parameters () :precondition (AtLamp) :effect (Lit)))";
+ *     static const char PROBLEM[] =
+ *         "(define (problem light) (:domain rail) (:init) (:goal (Lit)))";
+ *
+ *     // The state: where the cart is, and whether the lamp is lit.
+ *     static critreg_status execute(void *user_data, const critreg_ground *ground,
+ *                                   const double *parameters, const double *before,
+ *                                   double *after, size_t len, uint32_t *actions) {
+ *         (void)user_data, (void)len;
+ *         if (ground->index == 0)
+ *             after[0] = before[0] + parameters[0];
+ *         else
+ *             after[1] = 1.0;
+ *         *actions = 1;
+ *         return CRITREG_OK;
+ *     }
+ *
+ *     static critreg_status holds(void *user_data, const critreg_ground *ground,
+ *                                 const double *state, size_t len, int32_t *holds) {
+ *         (void)user_data, (void)len;
+ *         if (ground->index == 0)
+ *             *holds = state[0] > 2.9 && state[0] < 3.1;
+ *         else
+ *             *holds = state[1] > 0.5;
+ *         return CRITREG_OK;
+ *     }
+ *
+ *     static uint64_t memory[CRITREG_PLANNER_WORDS(2)];
+ *
+ *     int main(void) {
+ *         static const double far[2] = {-4.0, 4.0}, start[2] = {0.0, 0.0};
+ *         critreg_planner_config config;
+ *         critreg_callbacks callbacks;
+ *         critreg_planner *planner;
+ *         critreg_step step;
+ *         size_t length, i;
+ *
+ *         critreg_planner_config_init(&config, sizeof config);
+ *         config.state_len = 2;
+ *         critreg_callbacks_init(&callbacks, sizeof callbacks);
+ *         callbacks.execute = execute;
+ *         callbacks.holds = holds;
+ *         if (critreg_planner_init(memory, sizeof memory, DOMAIN, PROBLEM, &config,
+ *                                  &planner) != CRITREG_OK
+ *             || critreg_planner_set_ranges(planner, "Drive", far, 1) != CRITREG_OK
+ *             || critreg_plan(planner, &callbacks, start, 1, NULL, &length)
+ *                 != CRITREG_OK)
+ *             return 1;
+ *         critreg_step_init(&step, sizeof step);
+ *         for (i = 0; i < length; i++) {
+ *             critreg_planner_step(planner, i, &step);
+ *             printf("%s %.1f\n", step.ground.name, step.parameters[0]);
+ *         }
+ *         return 0;
+ *     }
+ *
+ * It prints "Drive 3.0" and "Light 0.0".
+ *
+ * Regions are brought in by two more callbacks: sample draws from them, and advise
+ * tells the search that a sequence of operators cannot work before anything is
+ * drawn for it. Both are advice: if there is no plan before patience ends, planning
+ * begins anew without it. critreg_metrics tells what planning cost, which operator
+ * failed most often, and which reason of the program's was given most often.
+ * c_examples/plan_tasks.c shows all of it.
+ *
+ * The PDDL that is understood is typed STRIPS with constants and equality:
+ *
+ *     domain     = "(" "define" "(" "domain" name ")" [ requires ]
+ *                  [ "(" ":types" { typed-name } ")" ]
+ *                  [ "(" ":constants" { typed-name } ")" ]
+ *                  [ "(" ":predicates" { "(" name { typed-var } ")" } ")" ]
+ *                  { action } ")" ;              (* ";" starts a comment *)
+ *     action     = "(" ":action" name ":parameters" "(" { typed-var } ")"
+ *                  [ ":precondition" condition ] [ ":effect" effect ] ")" ;
+ *     problem    = "(" "define" "(" "problem" name ")"
+ *                  "(" ":domain" name ")" [ requires ]
+ *                  [ "(" ":objects" { typed-name } ")" ]
+ *                  "(" ":init" { atom } ")" "(" ":goal" goal ")" ")" ;
+ *     requires   = "(" ":requirements" { ":strips" | ":typing" | ":equality"
+ *                                      | ":negative-preconditions" } ")" ;
+ *     condition  = "(" ")" | "(" "and" { condition } ")" | atom | equal
+ *                | "(" "not" equal ")" ;
+ *     effect     = "(" ")" | "(" "and" { effect } ")" | atom
+ *                | "(" "not" atom ")" ;
+ *     goal       = "(" ")" | "(" "and" { goal } ")" | atom ;
+ *     atom       = "(" name { term } ")" ;
+ *     equal      = "(" "=" term term ")" ;
+ *     term       = name | variable ;             (* names only in problems *)
+ *     typed-name = name [ "-" name ] ;           (* "a b - c": both are c *)
+ *     typed-var  = variable [ "-" name ] ;
+ *
+ * Case does not matter. Everything else of PDDL is refused by name, at its line and
+ * column. Atoms of predicates that no action changes are decided when the planner is
+ * made, and not asked for.
+ *
+ * Limits: 32 types, 16 constants, 32 predicates, 32 actions with 4 parameters each
+ * and 256 preconditions and effects in all; 64 objects, 512 atoms of :init, 16 of
+ * the goal, 128 ground atoms that actions change. The rest is in
+ * critreg_planner_config.
+ *
+ *
  * LINKING
  *
  * Link with -lcritreg, and for the static library with -lpthread -ldl -lm too.
@@ -252,6 +381,34 @@
 #define CRITREG_LEARNER_WORDS(hypotheses, observations)                        \
     CRITREG_LEARNER_WORDS_FOR(hypotheses, observations,                        \
                               CRITREG_DEFAULT_INSTANCES, 1)
+
+/**
+ * How many uint64_t make the memory of a planner with room for so many bytes of
+ * PDDL, ground operators, nodes of the search, steps of a plan and numbers of a
+ * state, for static arrays; see critreg_planner_config.
+ * critreg_planner_size() tells the exact number of bytes.
+ */
+#define CRITREG_PLANNER_WORDS_FOR(pddl_bytes, operators, nodes, length,        \
+                                  state_len)                                   \
+    ((CRITREG_PLANNER_FIXED_BYTES + CRITREG_PLANNER_POINTERS * sizeof(void *)  \
+      + 2 * (size_t)(pddl_bytes)                                               \
+      + (size_t)(operators) * CRITREG_OPERATOR_BYTES                           \
+      + (size_t)(nodes) * CRITREG_NODE_BYTES                                   \
+      + (size_t)(length)                                                       \
+            * (CRITREG_PLAN_STEP_BYTES                                         \
+               + CRITREG_PLAN_STEP_POINTERS * sizeof(void *))                  \
+      + 8 * ((size_t)(length) + 1) * (size_t)(state_len) + 7) / 8)
+
+/**
+ * The same with the other capacities as a configuration has them unless it tells.
+ *
+ *     static uint64_t memory[CRITREG_PLANNER_WORDS(13)];
+ */
+#define CRITREG_PLANNER_WORDS(state_len)                                       \
+    CRITREG_PLANNER_WORDS_FOR(CRITREG_DEFAULT_PDDL_BYTES,                      \
+                              CRITREG_DEFAULT_OPERATORS,                       \
+                              CRITREG_DEFAULT_NODES,                           \
+                              CRITREG_DEFAULT_PLAN_LENGTH, state_len)
 
 /**
  * How many uint64_t make the memory of a region that belongs to no learner.
@@ -312,6 +469,39 @@
  * Bytes of a step; for CRITREG_LEARNER_WORDS.
  */
 #define CRITREG_STEP_BYTES 5376
+
+/**
+ * Bytes of a planner that do not depend on its capacity, apart from pointers; for
+ * CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_PLANNER_FIXED_BYTES 11776
+
+/**
+ * Pointers of a planner that do not depend on its capacity; for
+ * CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_PLANNER_POINTERS 1040
+
+/**
+ * Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_OPERATOR_BYTES 76
+
+/**
+ * Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_NODE_BYTES 42
+
+/**
+ * Bytes of a step of the longest plan, apart from its state and pointers; for
+ * CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_PLAN_STEP_BYTES 88
+
+/**
+ * Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_PLAN_STEP_POINTERS 7
 
 /**
  * Most parameters of an action: an array for theta of this length fits every
@@ -382,6 +572,125 @@
 #define CRITREG_MAX_OBSERVATIONS 2048
 
 /**
+ * Most regions of critreg_sample_regions() and critreg_regions_are_empty().
+ */
+#define CRITREG_MAX_REGIONS 32
+
+/**
+ * For critreg_planner_config.heuristic: LM-cut (Helmert and Domshlak 2009), the
+ * default. Never too high, so that shorter sequences come before longer ones.
+ */
+#define CRITREG_LM_CUT 1
+
+/**
+ * For critreg_planner_config.heuristic: h-max (Bonet and Geffner 2001), never
+ * above LM-cut.
+ */
+#define CRITREG_H_MAX 2
+
+/**
+ * For critreg_planner_config.heuristic: h-add (Bonet and Geffner 2001). It may be
+ * too high, so that longer sequences can come before shorter ones.
+ */
+#define CRITREG_H_ADD 3
+
+/**
+ * For critreg_planner_config.heuristic: none. The search is breadth first.
+ */
+#define CRITREG_BLIND 4
+
+/**
+ * Most objects of an atom, and most parameters of a PDDL action.
+ */
+#define CRITREG_MAX_ARGUMENTS 4
+
+/**
+ * Most operators in a plan, and in a sequence of them.
+ */
+#define CRITREG_MAX_PLAN_LENGTH 128
+
+/**
+ * Operators in the longest plan unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_PLAN_LENGTH 32
+
+/**
+ * Bytes for PDDL texts that a planner has room for unless the configuration
+ * tells.
+ */
+#define CRITREG_DEFAULT_PDDL_BYTES 8192
+
+/**
+ * Ground operators that a planner has room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_OPERATORS 256
+
+/**
+ * Nodes of the search that a planner has room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_NODES 4096
+
+/**
+ * Longest domain or problem text of a planner in bytes, with its NUL.
+ */
+#define CRITREG_PDDL_TEXT_MAX 65536
+
+/**
+ * How many reasons are counted one by one: numbers below this. A callback that
+ * gives others, or none, is counted in critreg_metrics.uncounted.
+ */
+#define CRITREG_MAX_REASONS 64
+
+/**
+ * No reason was given.
+ */
+#define CRITREG_NO_REASON 65535
+
+/**
+ * For critreg_metrics.conclusion: nothing was planned yet, or the call was refused
+ * before planning began.
+ */
+#define CRITREG_NOT_PLANNED 0
+
+/**
+ * There is a plan.
+ */
+#define CRITREG_SOLVED 1
+
+/**
+ * No further sequence of operators reaches the goal: there is no plan, or it was
+ * pruned, or it needs other samples.
+ */
+#define CRITREG_EXHAUSTED 2
+
+/**
+ * Likewise, but some sequences were not extended beyond
+ * critreg_planner_config.max_length.
+ */
+#define CRITREG_LENGTH_SPENT 3
+
+/**
+ * critreg_planner_config.max_skeletons were refined in vain.
+ */
+#define CRITREG_SKELETONS_SPENT 4
+
+/**
+ * critreg_planner_config.max_samples were drawn.
+ */
+#define CRITREG_SAMPLES_SPENT 5
+
+/**
+ * The memory is full; critreg_planner_message() says which.
+ */
+#define CRITREG_MEMORY_FULL 6
+
+/**
+ * A callback stopped planning. Then the counts are 0, except those of
+ * critreg_planner_failures() and critreg_planner_reasons().
+ */
+#define CRITREG_STOPPED 7
+
+/**
  * Option of the stick-button environment: robot and stick can turn, and lie at
  * any angle in new tasks. Without it all angles are pi/2, as in the thesis.
  */
@@ -391,6 +700,11 @@
  * A learner. It lies at the start of the memory it was made in.
  */
 typedef struct critreg_learner critreg_learner;
+
+/**
+ * A planner for one problem. It lies at the start of the memory it was made in.
+ */
+typedef struct critreg_planner critreg_planner;
 
 /**
  * A region: the parameters with which an action is expected to work, as
@@ -681,6 +995,402 @@ typedef struct critreg_rng {
 } critreg_rng;
 
 /**
+ * How to plan, how long, and with how much memory. Fill it with
+ * critreg_planner_config_init(), set state_len, and change what you like. Nothing
+ * in it is kept after critreg_planner_init() returns.
+ *
+ * Budgets are counts, not times: the same inputs end in the same way on every
+ * machine.
+ */
+typedef struct critreg_planner_config {
+    /**
+     * Size of this struct in bytes, from critreg_planner_config_init().
+     */
+    uint32_t struct_size;
+    /**
+     * What guides the search: CRITREG_LM_CUT, the default, CRITREG_H_MAX,
+     * CRITREG_H_ADD or CRITREG_BLIND.
+     */
+    uint32_t heuristic;
+    /**
+     * Numbers of a state, at least 1. Default 0, which is refused: say how many.
+     */
+    uint32_t state_len;
+    /**
+     * Most plan skeletons to refine. Default 1000.
+     */
+    uint32_t max_skeletons;
+    /**
+     * Tries of a step with parameters before an earlier one is tried again; a
+     * step without any has one. Default 10.
+     */
+    uint32_t max_tries;
+    /**
+     * Most operators in a plan, from 1 to CRITREG_MAX_PLAN_LENGTH; each takes
+     * memory for a state. Default CRITREG_DEFAULT_PLAN_LENGTH.
+     */
+    uint32_t max_length;
+    /**
+     * Most low-level actions in a plan, as execute counts them. Default 100.
+     */
+    uint32_t max_actions;
+    /**
+     * Most calls of execute. Default 10000.
+     */
+    uint32_t max_samples;
+    /**
+     * How many nodes are expanded and samples drawn with advice: what advise
+     * postpones, what sample draws from a region or finds to be empty. If there is
+     * no plan by then, planning begins anew without any, and so do the limits
+     * above. So wrong advice costs at most so much, but never a plan. Default 1024.
+     */
+    uint32_t patience;
+    /**
+     * Bytes to have room for in the domain and problem text together, their NULs
+     * included. Default CRITREG_DEFAULT_PDDL_BYTES.
+     */
+    uint32_t pddl_bytes;
+    /**
+     * Ground operators to have room for: every choice of objects for every PDDL
+     * action that the static preconditions admit. One with more than eight
+     * preconditions and add effects counts for several. Default
+     * CRITREG_DEFAULT_OPERATORS.
+     */
+    uint32_t operators;
+    /**
+     * Nodes of the search to have room for: sequences of operators that are
+     * created. Default CRITREG_DEFAULT_NODES.
+     */
+    uint32_t nodes;
+} critreg_planner_config;
+
+/**
+ * A ground atom or a ground operator: a predicate, or a PDDL action, with its
+ * objects.
+ *
+ * Names are spelled as where they are declared, ended by NUL, and stay where they
+ * are as long as the planner does.
+ */
+typedef struct critreg_ground {
+    /**
+     * Name of the predicate or action.
+     */
+    const char *name;
+    /**
+     * Names of its objects, in order; NULL beyond the last.
+     */
+    const char *object_names[CRITREG_MAX_ARGUMENTS];
+    /**
+     * Which predicate or action it is: 0 for the first in the domain text.
+     */
+    uint32_t index;
+    /**
+     * How many objects it has.
+     */
+    uint32_t object_count;
+    /**
+     * Which objects: places among all objects and constants of the problem in the
+     * order of their names (by ASCII code, without regard to case); 0 beyond the
+     * last.
+     */
+    uint32_t objects[CRITREG_MAX_ARGUMENTS];
+} critreg_ground;
+
+/**
+ * Runs the controller of an operator in the program's simulator.
+ *
+ * This and the other callbacks of a planner must return: no longjmp(), no C++
+ * exception may leave them. They may not touch the memory of the planner, nor call
+ * functions on it other than those that take it as const; the others return
+ * CRITREG_BUSY. If one returns anything but CRITREG_OK, planning stops and
+ * critreg_plan() returns that.
+ *
+ * @param user_data What the program passed to critreg_plan().
+ * @param ground The operator and its objects.
+ * @param parameters Its parameters: CRITREG_MAX_PARAMETERS numbers, 0 beyond the
+ * last.
+ * @param before The state before.
+ * @param after Holds a copy of it; receives the state afterwards, which may be
+ * any if the operator fails.
+ * @param len How many numbers a state has.
+ * @param actions Receives how many low-level actions it took, at least 1; or 0,
+ * which it is set to already, if the operator failed.
+ * @return CRITREG_OK, also if the operator failed; CRITREG_CANCELLED, or
+ * CRITREG_USER_STATUS and above.
+ */
+typedef critreg_status (*critreg_execute)(void *user_data,
+                                          const struct critreg_ground *ground,
+                                          const double *parameters,
+                                          const double *before,
+                                          double *after,
+                                          size_t len,
+                                          uint32_t *actions);
+
+/**
+ * Tells whether an atom holds in a state.
+ *
+ * @param user_data What the program passed to critreg_plan().
+ * @param ground The atom: a predicate and its objects.
+ * @param state The state.
+ * @param len How many numbers it has.
+ * @param holds Receives 1 or 0.
+ * @return CRITREG_OK, or what shall stop planning.
+ */
+typedef critreg_status (*critreg_holds)(void *user_data,
+                                        const struct critreg_ground *ground,
+                                        const double *state,
+                                        size_t len,
+                                        int32_t *holds);
+
+/**
+ * A step of a plan skeleton whose parameters are to be drawn.
+ */
+typedef struct critreg_draw {
+    /**
+     * The operators of the whole skeleton: what comes later may narrow what is
+     * good now.
+     */
+    const struct critreg_ground *skeleton;
+    /**
+     * How many there are.
+     */
+    size_t length;
+    /**
+     * The step to draw for, from 0; its operator is at this place of the skeleton.
+     */
+    size_t step;
+    /**
+     * The state before it.
+     */
+    const double *state;
+    /**
+     * How many numbers it has.
+     */
+    size_t state_len;
+    /**
+     * How many parameters are to be drawn: the ranges of
+     * critreg_planner_set_ranges(). May be 0.
+     */
+    size_t parameter_count;
+    /**
+     * Which try of the step in this state it is, from 1.
+     */
+    uint32_t attempt;
+    /**
+     * 1; or 0 once critreg_planner_config.patience is at its end: then draw as if
+     * nothing were known.
+     */
+    int32_t advised;
+} critreg_draw;
+
+/**
+ * What was drawn.
+ */
+typedef struct critreg_drawn {
+    /**
+     * The parameters, within their ranges; hold NAN. The planner rounds them to
+     * single precision.
+     */
+    double parameters[CRITREG_MAX_PARAMETERS];
+    /**
+     * 1 if the parameters are from where they are expected to work, such as a
+     * learned region; holds 0.
+     */
+    int32_t informed;
+    /**
+     * Why there are no parameters, if there are none; holds CRITREG_NO_REASON.
+     */
+    uint32_t reason;
+} critreg_drawn;
+
+/**
+ * Draws the parameters of a step, for instance with critreg_sample_regions().
+ * Asked for operators without parameters, too: it may know that they cannot work.
+ *
+ * @param user_data What the program passed to critreg_plan().
+ * @param draw The step to draw for.
+ * @param rng Random numbers. They follow from the seed of critreg_plan().
+ * @param drawn Receives the parameters, or why there are none.
+ * @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters work in this state,
+ * upon which an earlier step is tried again; or what shall stop planning.
+ */
+typedef critreg_status (*critreg_sample)(void *user_data,
+                                         const struct critreg_draw *draw,
+                                         struct critreg_rng *rng,
+                                         struct critreg_drawn *drawn);
+
+/**
+ * What to do with a sequence of operators: CRITREG_KEEP, CRITREG_POSTPONE or
+ * CRITREG_PRUNE.
+ */
+typedef int32_t critreg_advice;
+
+/**
+ * Advises the search before anything is sampled for a sequence of operators. It is
+ * asked when the search comes to the sequence; all shorter prefixes were kept.
+ *
+ * @param user_data What the program passed to critreg_plan().
+ * @param prefix The operators so far.
+ * @param length How many there are, at least 1.
+ * @param initial The state that planning begins in.
+ * @param len How many numbers it has.
+ * @param advice Receives what to do; holds CRITREG_KEEP.
+ * @param reason Receives why, unless it is kept; holds CRITREG_NO_REASON.
+ * @return CRITREG_OK, or what shall stop planning.
+ */
+typedef critreg_status (*critreg_advise)(void *user_data,
+                                         const struct critreg_ground *prefix,
+                                         size_t length,
+                                         const double *initial,
+                                         size_t len,
+                                         critreg_advice *advice,
+                                         uint32_t *reason);
+
+/**
+ * What a planner asks the program. Fill it with critreg_callbacks_init() and set
+ * at least execute and holds.
+ */
+typedef struct critreg_callbacks {
+    /**
+     * Size of this struct in bytes, from critreg_callbacks_init().
+     */
+    uint32_t struct_size;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
+    /**
+     * Runs operators. Must be set.
+     */
+    critreg_execute execute;
+    /**
+     * Tells what holds. Must be set.
+     */
+    critreg_holds holds;
+    /**
+     * Draws parameters. NULL, the default: uniform over their ranges.
+     */
+    critreg_sample sample;
+    /**
+     * Advises the search. NULL, the default: everything is kept.
+     */
+    critreg_advise advise;
+} critreg_callbacks;
+
+/**
+ * A step of a plan.
+ */
+typedef struct critreg_step {
+    /**
+     * Size of this struct in bytes, from critreg_step_init().
+     */
+    uint32_t struct_size;
+    /**
+     * How many low-level actions it takes.
+     */
+    uint32_t actions;
+    /**
+     * The operator and its objects.
+     */
+    struct critreg_ground ground;
+    /**
+     * How many parameters it has.
+     */
+    size_t parameter_count;
+    /**
+     * Its parameters, as execute got them; 0 beyond the last.
+     */
+    double parameters[CRITREG_MAX_PARAMETERS];
+    /**
+     * The state afterwards. It belongs to the planner and stays until the next
+     * critreg_plan().
+     */
+    const double *state;
+} critreg_step;
+
+/**
+ * What the last critreg_plan() cost, and what stood in its way.
+ */
+typedef struct critreg_metrics {
+    /**
+     * Size of this struct in bytes, from critreg_metrics_init().
+     */
+    uint32_t struct_size;
+    /**
+     * How planning ended: CRITREG_SOLVED or another code.
+     */
+    uint32_t conclusion;
+    /**
+     * Operators in the plan.
+     */
+    uint32_t plan_length;
+    /**
+     * Tries of a step: parameters were drawn and execute was called. Steps
+     * without parameters count too, so the length of the plan is the least.
+     */
+    uint32_t samples;
+    /**
+     * Plan skeletons that were refined.
+     */
+    uint32_t skeletons;
+    /**
+     * Sequences of operators that were extended by one.
+     */
+    uint32_t nodes_expanded;
+    /**
+     * Sequences of operators that were created, the empty one included.
+     */
+    uint32_t nodes_created;
+    /**
+     * Sequences that advise pruned.
+     */
+    uint32_t pruned;
+    /**
+     * Sequences that advise postponed: they were left out until patience ended.
+     */
+    uint32_t postponed;
+    /**
+     * Sequences that were not extended because of their length.
+     */
+    uint32_t cut_off;
+    /**
+     * Draws that ended with CRITREG_EMPTY_REGION.
+     */
+    uint32_t empty_draws;
+    /**
+     * Draws that were informed; see critreg_drawn.
+     */
+    uint32_t informed_draws;
+    /**
+     * 1 if critreg_planner_config.patience ended, so that planning began anew
+     * without advice; else 0.
+     */
+    uint32_t patience_ended;
+    /**
+     * Reasons that were not given, or not below CRITREG_MAX_REASONS.
+     */
+    uint32_t uncounted;
+    /**
+     * Low-level actions that execute told of.
+     */
+    uint64_t actions;
+    /**
+     * The PDDL action whose steps failed most often; NULL if none did. The name
+     * stays where it is as long as the planner does.
+     */
+    const char *most_failed;
+    /**
+     * The reason that was given most often: why no plan was found.
+     * CRITREG_NO_REASON if none was.
+     */
+    uint32_t main_reason;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
+} critreg_metrics;
+
+/**
  * The call did what it promises.
  */
 #define CRITREG_OK 0
@@ -754,7 +1464,7 @@ typedef struct critreg_rng {
 #define CRITREG_CORRUPT 13
 
 /**
- * A callback called back into the learner that is calling it.
+ * A callback called back into the learner or planner that is calling it.
  */
 #define CRITREG_BUSY 14
 
@@ -768,6 +1478,12 @@ typedef struct critreg_rng {
  * copied, or the learner of a region went on.
  */
 #define CRITREG_NOT_A_HANDLE 16
+
+/**
+ * No plan was found: critreg_planner_metrics() tells how planning ended and what
+ * stood in the way.
+ */
+#define CRITREG_NO_PLAN 17
 
 /**
  * From here on the codes belong to the program: a callback may return any of
@@ -785,6 +1501,24 @@ typedef struct critreg_rng {
  * later steps are 2, 3 and so on.
  */
 #define CRITREG_INFEASIBLE 1
+
+/**
+ * Go on with it.
+ */
+#define CRITREG_KEEP 0
+
+/**
+ * Leave it out, with everything that begins with it, until
+ * critreg_planner_config.patience is at its end. The right advice from knowledge
+ * that may be wrong, such as a learned region.
+ */
+#define CRITREG_POSTPONE 1
+
+/**
+ * Drop it, with everything that begins with it. For what is certain: a plan may
+ * be lost.
+ */
+#define CRITREG_PRUNE 2
 
 #ifdef __cplusplus
 extern "C" {
@@ -874,7 +1608,7 @@ size_t critreg_learner_align(void);
  * CRITREG_SYNTAX_ERROR (ask critreg_check_domain() where);
  * CRITREG_CAPACITY_EXCEEDED if the text is longer than CRITREG_DOMAIN_TEXT_MAX
  * or declares too many things; CRITREG_INVALID_ARGUMENT for a domain without
- * parameters, a text that is not UTF-8, a wrong configuration or a manual sample
+ * parameters (CRITREG_ALGORITHM1 only), a text that is not UTF-8, a wrong configuration or a manual sample
  * outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual sample
  * or a share of the configuration; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
  */
@@ -969,7 +1703,7 @@ critreg_status critreg_learn_region(struct critreg_learner *learner,
  * checked in every call.
  * @param count How many there are.
  * @param instance Receives the index of the instance to try it in.
- * @param theta Receives the parameters: one number each.
+ * @param theta Receives the parameters: one number each. NULL if there are none.
  * @return CRITREG_OUT_OF_SEQUENCE if learning is finished; CRITREG_MISMATCH if
  * the instances changed; CRITREG_CAPACITY_EXCEEDED if there is no room for so
  * many (critreg_config.instances); CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
@@ -1303,8 +2037,8 @@ critreg_status critreg_region_constraint_name(const struct critreg_region *regio
  *
  * @param region The region.
  * @param instance The instance: one number per attribute.
- * @param theta The parameters: one number each. Outside of their ranges they
- * are not inside of any region.
+ * @param theta The parameters: one number each; NULL if there are none. Outside of
+ * their ranges they are not inside of any region.
  * @param inside Receives 1 or 0.
  * @return CRITREG_NOT_FINITE for a number of the instance or of theta;
  * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
@@ -1376,7 +2110,7 @@ critreg_status critreg_region_is_empty(const struct critreg_region *region,
  * @param region The region.
  * @param instance The instance: one number per attribute.
  * @param rng The generator, which moves on, also if no parameters are found.
- * @param theta Receives the parameters: one number each.
+ * @param theta Receives the parameters: one number each. NULL if there are none.
  * @return CRITREG_EMPTY_REGION if it is proven that there are none,
  * CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_NOT_FINITE,
  * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
@@ -1385,6 +2119,65 @@ critreg_status critreg_sample_region(const struct critreg_region *region,
                                      const double *instance,
                                      struct critreg_rng *rng,
                                      double *theta);
+
+/**
+ * Draws parameters that several regions admit, each in an instance of its own: the
+ * region of an action, and those of what comes after it.
+ *
+ * This is what a planner with a search of its own uses for chains. A region that
+ * was learned about a sequence of actions, such as "pick, then press", says with
+ * which parameters of the first action the last one works. It is put into as many
+ * instances as the plan skeleton has last actions, one for each button that is
+ * going to be pressed, and the intersection is known before anything is tried: if
+ * it is empty, so is the hope for the skeleton.
+ *
+ * ```c
+ * const critreg_region *regions[] = {pick, pick_and_press, pick_and_press};
+ * const double *instances[] = {now, with_first_button, with_second_button};
+ * switch (critreg_sample_regions(regions, instances, 3, &rng, theta)) {
+ * case CRITREG_OK:           return try_action(theta);
+ * case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+ * default:                   return try_action_with_any_parameters();
+ * }
+ * ```
+ *
+ * Draws are made in the way of critreg_sample_region().
+ *
+ * @param regions The regions. Their domains may differ, but not in number and
+ * ranges of the parameters.
+ * @param instances An instance for each: one number per attribute.
+ * @param count How many regions there are, from 1 to CRITREG_MAX_REGIONS.
+ * @param rng The generator, which moves on, also if no parameters are found.
+ * @param theta Receives the parameters: one number each. NULL if there are none.
+ * @return CRITREG_EMPTY_REGION if it is proven that there are none,
+ * CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_MISMATCH if the
+ * regions have other parameters; CRITREG_CAPACITY_EXCEEDED for too many regions;
+ * CRITREG_INVALID_ARGUMENT for no region; CRITREG_NOT_FINITE,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_sample_regions(const struct critreg_region *const *regions,
+                                      const double *const *instances,
+                                      size_t count,
+                                      struct critreg_rng *rng,
+                                      double *theta);
+
+/**
+ * Whether it is proven that several regions, each in an instance of its own, admit
+ * no parameters together; see critreg_sample_regions() and
+ * critreg_region_is_empty().
+ *
+ * @param regions The regions.
+ * @param instances An instance for each: one number per attribute.
+ * @param count How many regions there are, from 1 to CRITREG_MAX_REGIONS.
+ * @param empty Receives 1 or 0.
+ * @return CRITREG_MISMATCH, CRITREG_CAPACITY_EXCEEDED, CRITREG_INVALID_ARGUMENT as
+ * critreg_sample_regions(); CRITREG_NOT_FINITE, CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_regions_are_empty(const struct critreg_region *const *regions,
+                                         const double *const *instances,
+                                         size_t count,
+                                         int32_t *empty);
 
 /**
  * A generator with this seed.
@@ -1399,6 +2192,225 @@ struct critreg_rng critreg_rng_seed(uint64_t seed);
  * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
  */
 critreg_status critreg_rng_uniform(struct critreg_rng *rng, double *number);
+
+/**
+ * Fills a configuration with the defaults.
+ *
+ * @param config The configuration.
+ * @param size sizeof *config, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_planner_config_init(struct critreg_planner_config *config,
+                                           size_t size);
+
+/**
+ * How many bytes of memory a planner takes.
+ *
+ * Where the capacities are constants, CRITREG_PLANNER_WORDS() sizes a static array
+ * instead.
+ *
+ * @param config What the planner is to do, with its capacities.
+ * @return The number of bytes; 0 if the configuration is wrong or memory cannot be
+ * that large.
+ */
+size_t critreg_planner_size(const struct critreg_planner_config *config);
+
+/**
+ * The alignment in bytes that the memory of a planner needs. An array of uint64_t
+ * and what malloc() returns have it.
+ */
+size_t critreg_planner_align(void);
+
+/**
+ * Makes a planner for a problem, in memory of the program.
+ *
+ * Operators and problem come as PDDL, see PLANNING above. Operators have no
+ * parameters until critreg_planner_set_ranges() says so.
+ *
+ * A planner needs no end: to plan another problem, make another planner in the
+ * same memory.
+ *
+ * @param memory Memory for the planner, aligned to critreg_planner_align(). From
+ * now on it belongs to the planner: do not write to it, move it or copy it.
+ * @param memory_len Its length in bytes, at least critreg_planner_size().
+ * @param domain The PDDL domain, ended by NUL. Copied.
+ * @param problem A PDDL problem of that domain, ended by NUL. Copied.
+ * @param config How to plan, with the length of a state. Copied.
+ * @param planner Receives the handle, which lies at the start of the memory.
+ * @return CRITREG_TOO_SMALL if the memory is too short for the capacities;
+ * CRITREG_SYNTAX_ERROR (ask critreg_check_pddl() where);
+ * CRITREG_CAPACITY_EXCEEDED if the texts, the ground operators or the ground atoms
+ * find no room; CRITREG_INVALID_ARGUMENT for a wrong configuration or a text that
+ * is not UTF-8; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ */
+critreg_status critreg_planner_init(void *memory,
+                                    size_t memory_len,
+                                    const char *domain,
+                                    const char *problem,
+                                    const struct critreg_planner_config *config,
+                                    struct critreg_planner **planner);
+
+/**
+ * Says which continuous parameters the operators of a PDDL action have. Before,
+ * and with a count of 0, they have none.
+ *
+ * ```c
+ * static const double ranges[][2] = {{0.0, 1.0}};
+ * status = critreg_planner_set_ranges(planner, "PickStick", &ranges[0][0], 1);
+ * ```
+ *
+ * @param planner The planner.
+ * @param name The name of the action, ended by NUL; case does not matter.
+ * @param ranges The least and the greatest value of each parameter: 2 * count
+ * numbers. NULL if count is 0. Copied.
+ * @param count How many parameters there are, at most CRITREG_MAX_PARAMETERS.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such action, or a range is upside
+ * down; CRITREG_CAPACITY_EXCEEDED for too many parameters; CRITREG_NOT_FINITE,
+ * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_set_ranges(struct critreg_planner *planner,
+                                          const char *name,
+                                          const double *ranges,
+                                          size_t count);
+
+/**
+ * Why the last call on this planner failed that did fail, in words, as
+ * critreg_learner_message().
+ *
+ * @param planner The planner; may be called from its callbacks.
+ * @param text Receives the words, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the words with their NUL, also
+ * if the buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written);
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_message(const struct critreg_planner *planner,
+                                       char *text,
+                                       size_t len,
+                                       size_t *needed);
+
+/**
+ * Fills callbacks with the defaults.
+ *
+ * @param callbacks The callbacks.
+ * @param size sizeof *callbacks, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_callbacks_init(struct critreg_callbacks *callbacks,
+                                      size_t size);
+
+/**
+ * Plans from a state: first which operators, then with which parameters.
+ *
+ * The search goes through sequences of operators that reach the goal in the
+ * abstract, from shorter to longer ones. Such a plan skeleton is refined step by
+ * step: parameters are drawn and execute() is called. A step works if it took an
+ * action and whatever the rest of the skeleton and the goal need of it holds; if
+ * its tries are spent, an earlier step is tried again. A skeleton that cannot be
+ * refined is followed by another one.
+ *
+ * The state is the program's own: the planner copies it and passes it on, and
+ * never looks into it.
+ *
+ * @param planner The planner.
+ * @param callbacks What the planner may ask, from critreg_callbacks_init().
+ * @param initial The state to begin in: critreg_planner_config.state_len numbers.
+ * In it those atoms must hold that the problem's :init names, and no others.
+ * @param seed Seed of all random choices. The same seed, texts, configuration and
+ * answers of the callbacks give the same plan on every machine.
+ * @param user_data Passed to the callbacks.
+ * @param length NULL, or receives how many steps the plan has; read them with
+ * critreg_planner_step().
+ * @return CRITREG_NO_PLAN if none was found: critreg_planner_metrics() tells how
+ * planning ended and what stood in the way; CRITREG_CAPACITY_EXCEEDED if the memory
+ * is full; CRITREG_MISMATCH if the initial state does not agree with :init
+ * (critreg_planner_message() names the atom); the status of a callback that was
+ * not CRITREG_OK; CRITREG_INVALID_ARGUMENT or CRITREG_NOT_FINITE for an answer of a
+ * callback that is none; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER, also
+ * if execute or holds are not set, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE. In all
+ * cases the planner can be used again.
+ */
+critreg_status critreg_plan(struct critreg_planner *planner,
+                            const struct critreg_callbacks *callbacks,
+                            const double *initial,
+                            uint64_t seed,
+                            void *user_data,
+                            size_t *length);
+
+/**
+ * Fills a step, so that critreg_planner_step() knows its size.
+ *
+ * @param step The step.
+ * @param size sizeof *step, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_step_init(struct critreg_step *step, size_t size);
+
+/**
+ * A step of the plan that the last critreg_plan() found.
+ *
+ * @param planner The planner.
+ * @param index The step, from 0.
+ * @param step A step from critreg_step_init(), to be filled.
+ * @return CRITREG_INVALID_ARGUMENT if the plan has no such step or the struct was
+ * not initialised; CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_step(struct critreg_planner *planner,
+                                    size_t index,
+                                    struct critreg_step *step);
+
+/**
+ * Fills metrics, so that critreg_planner_metrics() knows their size.
+ *
+ * @param metrics The metrics.
+ * @param size sizeof *metrics, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_metrics_init(struct critreg_metrics *metrics,
+                                    size_t size);
+
+/**
+ * What the last critreg_plan() cost, however it ended.
+ *
+ * @param planner The planner; may be called from its callbacks.
+ * @param metrics Metrics from critreg_metrics_init(), to be filled.
+ * @return CRITREG_INVALID_ARGUMENT if the metrics were not initialised;
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_metrics(const struct critreg_planner *planner,
+                                       struct critreg_metrics *metrics);
+
+/**
+ * How often steps of a PDDL action failed in the last critreg_plan().
+ *
+ * @param planner The planner.
+ * @param name The name of the action, ended by NUL; case does not matter.
+ * @param count Receives how often.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such action; CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_failures(struct critreg_planner *planner,
+                                        const char *name,
+                                        uint32_t *count);
+
+/**
+ * How often a reason was given in the last critreg_plan().
+ *
+ * @param planner The planner.
+ * @param reason The number of the reason, below CRITREG_MAX_REASONS.
+ * @param count Receives how often.
+ * @return CRITREG_INVALID_ARGUMENT for a larger number; CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_reasons(struct critreg_planner *planner,
+                                       uint32_t reason,
+                                       uint32_t *count);
 
 /**
  * Reads a domain text and says what is wrong with it, such as
@@ -1439,6 +2451,25 @@ critreg_status critreg_check_region(const char *domain,
                                     size_t *needed);
 
 /**
+ * Reads a PDDL domain and a problem of it and says what is wrong with them, such as
+ * "problem, line 3, column 7: unknown object".
+ *
+ * @param domain The PDDL domain, ended by NUL.
+ * @param problem A PDDL problem of that domain, ended by NUL.
+ * @param text Receives the words, as for critreg_check_domain().
+ * @param len Length of text in bytes; 0 if the words are not wanted.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_OK if critreg_planner_init() would accept both texts, given
+ * memory enough, else as critreg_check_domain(); CRITREG_CAPACITY_EXCEEDED for a
+ * text longer than CRITREG_PDDL_TEXT_MAX or too many ground atoms.
+ */
+critreg_status critreg_check_pddl(const char *domain,
+                                  const char *problem,
+                                  char *text,
+                                  size_t len,
+                                  size_t *needed);
+
+/**
  * The domain text of picking the stick with one button on the table, the action
  * PickStickFromNothing of the thesis. Its one parameter is mu, the place of the
  * grasp along the stick, from 0 to 1.
@@ -1448,26 +2479,30 @@ critreg_status critreg_check_region(const char *domain,
 const char *critreg_stick_button_domain(void);
 
 /**
- * How many numbers an instance has: robot x, y, theta; stick x, y, theta, held;
- * holder x, y, theta; button x, y, pressed. Lengths are in units of the table
- * (10 by 6), angles in radians.
+ * How many numbers a state has: robot x, y, theta; stick x, y, theta, held; holder
+ * x, y, theta; and x, y, pressed of each button. Lengths are in units of the table
+ * (10 by 6), angles in radians. An instance of critreg_stick_button_domain() is a
+ * state with one button.
  */
-size_t critreg_stick_button_instance_len(void);
+size_t critreg_stick_button_state_len(uint32_t buttons);
 
 /**
- * Draws a random task with one button and writes its initial state.
+ * Draws a random task, to press all buttons, and writes its initial state. Nothing
+ * is held in it, and the robot and the stick lie above no button.
  *
  * @param seed Every seed gives one task, the same on every machine.
  * @param options 0 or CRITREG_STICK_BUTTON_ANGLES.
- * @param instance Receives the instance.
- * @param len Length of instance in numbers, at least
- * critreg_stick_button_instance_len().
- * @return CRITREG_TOO_SMALL; CRITREG_INVALID_ARGUMENT for unknown options;
- * CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ * @param buttons How many buttons there are, from 1 to 10.
+ * @param state Receives the state.
+ * @param len Length of state in numbers, at least
+ * critreg_stick_button_state_len().
+ * @return CRITREG_TOO_SMALL; CRITREG_INVALID_ARGUMENT for unknown options or
+ * another number of buttons; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
  */
 critreg_status critreg_stick_button_task(uint64_t seed,
                                          uint32_t options,
-                                         double *instance,
+                                         uint32_t buttons,
+                                         double *state,
                                          size_t len);
 
 /**
@@ -1476,7 +2511,7 @@ critreg_status critreg_stick_button_task(uint64_t seed,
  *
  * @param user_data NULL, or a pointer to a uint32_t with options: 0 or
  * CRITREG_STICK_BUTTON_ANGLES. It is only read.
- * @param instance The instance: critreg_stick_button_instance_len() numbers.
+ * @param instance The instance: a state with one button.
  * @param theta The parameter mu.
  * @param outcome Receives CRITREG_FEASIBLE or CRITREG_INFEASIBLE.
  * @return CRITREG_NOT_FINITE for a number of the instance or for mu;
@@ -1487,6 +2522,62 @@ critreg_status critreg_stick_button_pick(void *user_data,
                                          const double *instance,
                                          const double *theta,
                                          critreg_outcome *outcome);
+
+/**
+ * Runs an operator of the environment: a critreg_execute for critreg_callbacks.
+ *
+ * The operators are RobotPressButtonFromNothing (robot button stick),
+ * RobotPressButtonFromButton (robot button from stick), PickStickFromNothing (robot
+ * stick), PickStickFromButton (robot stick from), StickPressButtonFromNothing (robot
+ * stick button), StickPressButtonFromButton (robot stick button from),
+ * PlaceStickFromNothing (robot stick) and PlaceStickFromButton (robot stick).
+ * Picking has the parameter mu from 0 to 1, placing one from -1 to 1. The objects
+ * are robby, stick, holder, button0, button1 and so on, in the order of the state.
+ *
+ * @param user_data NULL, or a pointer to a uint32_t with options, as for
+ * critreg_stick_button_pick().
+ * @param ground The operator; its name and those of its objects count, its indices
+ * do not.
+ * @param parameters Its parameters.
+ * @param before The state before.
+ * @param after Receives the state afterwards; the same one if it failed.
+ * @param len Numbers of a state: critreg_stick_button_state_len().
+ * @param actions Receives how many steps of the environment it took; 0 if it
+ * failed.
+ * @return CRITREG_INVALID_ARGUMENT for an unknown operator, object or option, or a
+ * wrong number of objects or of numbers; CRITREG_NOT_FINITE, CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_stick_button_execute(void *user_data,
+                                            const struct critreg_ground *ground,
+                                            const double *parameters,
+                                            const double *before,
+                                            double *after,
+                                            size_t len,
+                                            uint32_t *actions);
+
+/**
+ * Tells whether an atom of the environment holds: a critreg_holds for
+ * critreg_callbacks.
+ *
+ * The predicates are AboveNoButton (), Grasped (robot stick), HandEmpty (robot),
+ * Pressed (button), RobotAboveButton (robot button) and StickAboveButton (stick
+ * button).
+ *
+ * @param user_data As for critreg_stick_button_execute().
+ * @param ground The atom; its name and those of its objects count.
+ * @param state The state.
+ * @param len Numbers of a state: critreg_stick_button_state_len().
+ * @param holds Receives 1 or 0.
+ * @return CRITREG_INVALID_ARGUMENT for an unknown predicate, object or option, or a
+ * wrong number of objects or of numbers; CRITREG_NOT_FINITE, CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_stick_button_holds(void *user_data,
+                                          const struct critreg_ground *ground,
+                                          const double *state,
+                                          size_t len,
+                                          int32_t *holds);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -3,8 +3,9 @@
  * critreg.h for C++17: owners of memory, exceptions, vectors.
  *
  * A critreg::Learner owns the memory of a learner, a critreg::Region that of a
- * region. What can fail throws critreg::Error. Nothing here is linked: the header
- * only calls the functions of critreg.h, which remains the manual.
+ * region, a critreg::Planner that of a planner. What can fail throws critreg::Error.
+ * Nothing here is linked: the header only calls the functions of critreg.h, which
+ * remains the manual.
  *
  *     critreg::Learner learner(DOMAIN);
  *     critreg::Region region = learner.learn(instances, [](const double *instance,
@@ -17,10 +18,12 @@
 #ifndef CRITREG_HPP
 #define CRITREG_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -73,6 +76,7 @@ template <class Fill> std::string text(Fill fill) {
 class Rng {
 public:
     explicit Rng(std::uint64_t seed) : state(critreg_rng_seed(seed)) {}
+    explicit Rng(critreg_rng own) : state(own) {}
 
     /** A number uniform in [0, 1). */
     double uniform() {
@@ -223,6 +227,34 @@ private:
     std::unique_ptr<std::uint64_t[]> memory_;   // the handle lies at its start
 };
 
+/** A region, and the instance to ground it in. */
+struct Part {
+    const Region &region;
+    const std::vector<double> &instance;
+};
+
+/**
+ * Parameters that several regions admit, each in an instance of its own; none if they
+ * are proven to admit none together, or none were found.
+ */
+inline std::optional<std::vector<double>> sample(const std::vector<Part> &parts, Rng &rng) {
+    std::vector<const critreg_region *> regions;
+    std::vector<const double *> instances;
+    for (const Part &part : parts) {
+        if (part.instance.size() != part.region.instance_len())
+            throw Error(CRITREG_INVALID_ARGUMENT, "a vector has the wrong length");
+        regions.push_back(part.region.handle());
+        instances.push_back(part.instance.data());
+    }
+    std::vector<double> theta(CRITREG_MAX_PARAMETERS);
+    const critreg_status status = critreg_sample_regions(regions.data(), instances.data(),
+                                                         parts.size(), &rng.state, theta.data());
+    if (status == CRITREG_EMPTY_REGION || status == CRITREG_NO_SAMPLE) return std::nullopt;
+    detail::check(status);
+    theta.resize(parts.front().region.parameter_count());
+    return theta;
+}
+
 /** What a learner wants to know. */
 struct Query {
     std::size_t instance;       /**< Index of the instance. */
@@ -365,6 +397,198 @@ private:
     std::unique_ptr<std::uint64_t[]> memory_;   // the handle lies at its start
     std::size_t instance_len_ = 0;
     std::size_t parameter_count_ = 0;
+};
+
+/** A ground atom or operator: its name, and its objects. */
+struct Ground {
+    std::string name;
+    std::vector<std::string> objects;
+
+    Ground(const critreg_ground &ground)
+        : name(ground.name),
+          objects(ground.object_names, ground.object_names + ground.object_count) {}
+
+    /** As in PDDL: "(Walk a b)". */
+    std::string text() const {
+        std::string text = "(" + name;
+        for (const std::string &object : objects) text += " " + object;
+        return text + ")";
+    }
+};
+
+/** A step of a plan. */
+struct Step {
+    Ground ground;
+    std::vector<double> parameters;
+    std::vector<double> state;      /**< Afterwards. */
+    std::uint32_t actions;          /**< How many low-level actions it takes. */
+};
+
+/** What a planner asks the program. What they throw ends planning and is thrown on. */
+struct World {
+    /** Runs an operator, changes the state, returns how many actions it took; 0 if it failed. */
+    std::function<std::uint32_t(const Ground &, const double *parameters,
+                                std::vector<double> &state)>
+        execute;
+    /** Whether an atom holds in a state. */
+    std::function<bool(const Ground &, const std::vector<double> &state)> holds;
+    /** As critreg_sample, but for its user_data; may be empty. */
+    std::function<critreg_status(const critreg_draw &, Rng &, critreg_drawn &)> sample = {};
+    /** As critreg_advise, but for its user_data; may be empty. */
+    std::function<critreg_advice(const critreg_ground *prefix, std::size_t length,
+                                 const std::vector<double> &initial, std::uint32_t &reason)>
+        advise = {};
+};
+
+/** A planner with memory of its own, for one problem. It can be moved. */
+class Planner {
+public:
+    /** The default configuration, to change; state_len is to be set. */
+    static critreg_planner_config default_config() {
+        critreg_planner_config config;
+        detail::check(critreg_planner_config_init(&config, sizeof config));
+        return config;
+    }
+
+    /** A planner for a PDDL problem; the error tells line and column. */
+    Planner(const std::string &domain, const std::string &problem,
+            const critreg_planner_config &config)
+        : state_len_(config.state_len) {
+        std::array<char, 256> why{};
+        const critreg_status status = critreg_check_pddl(domain.c_str(), problem.c_str(),
+                                                         why.data(), why.size(), nullptr);
+        detail::check(status, why.data());
+        // A wrong configuration has no size; then init tells what is wrong.
+        const std::size_t bytes = critreg_planner_size(&config);
+        memory_.reset(new std::uint64_t[bytes / sizeof(std::uint64_t) + 1]);
+        critreg_planner *made;
+        detail::check(critreg_planner_init(memory_.get(), bytes, domain.c_str(), problem.c_str(),
+                                           &config, &made));
+    }
+
+    /** The continuous parameters of a PDDL action: the least and the greatest value of each. */
+    void set_ranges(const std::string &name, const std::vector<std::array<double, 2>> &ranges) {
+        check(critreg_planner_set_ranges(handle(), name.c_str(),
+                                         ranges.empty() ? nullptr : ranges.front().data(),
+                                         ranges.size()));
+    }
+
+    /** The steps of a plan; none if there is no plan, see metrics() and why(). */
+    std::optional<std::vector<Step>> plan(const World &world, const std::vector<double> &initial,
+                                          std::uint64_t seed) {
+        if (initial.size() != state_len_)
+            throw Error(CRITREG_INVALID_ARGUMENT, "the state has the wrong length");
+        Call call{world, nullptr};
+        const critreg_callbacks callbacks = callbacks_of(world);
+        std::size_t length = 0;
+        const critreg_status status =
+            critreg_plan(handle(), &callbacks, initial.data(), seed, &call, &length);
+        if (call.thrown) std::rethrow_exception(call.thrown);
+        if (status == CRITREG_NO_PLAN) return std::nullopt;
+        check(status);
+        std::vector<Step> steps;
+        for (std::size_t i = 0; i < length; i++) steps.push_back(step(i));
+        return steps;
+    }
+
+    /** What the last plan() cost, however it ended. */
+    critreg_metrics metrics() const {
+        critreg_metrics metrics;
+        detail::check(critreg_metrics_init(&metrics, sizeof metrics));
+        detail::check(critreg_planner_metrics(handle(), &metrics));
+        return metrics;
+    }
+
+    /** Why the last call failed that did fail. */
+    std::string why() const {
+        return detail::text([this](char *text, std::size_t len, std::size_t *needed) {
+            return critreg_planner_message(handle(), text, len, needed);
+        });
+    }
+
+    /** For functions of critreg.h; NULL if the planner was moved away. */
+    critreg_planner *handle() const noexcept {
+        return reinterpret_cast<critreg_planner *>(memory_.get());
+    }
+
+private:
+    /** A planning under way, and what a callback threw. */
+    struct Call {
+        const World &world;
+        std::exception_ptr thrown;
+    };
+
+    /** Runs a callback; what it throws waits until planning has ended. */
+    template <class Body> static critreg_status guarded(void *user_data, Body body) {
+        Call &call = *static_cast<Call *>(user_data);
+        try {
+            return body(call.world);
+        } catch (...) {
+            call.thrown = std::current_exception();
+            return CRITREG_USER_STATUS;
+        }
+    }
+
+    static critreg_callbacks callbacks_of(const World &world) {
+        critreg_callbacks callbacks;
+        detail::check(critreg_callbacks_init(&callbacks, sizeof callbacks));
+        callbacks.execute = [](void *user_data, const critreg_ground *ground,
+                               const double *parameters, const double *before, double *after,
+                               std::size_t len, std::uint32_t *actions) {
+            return guarded(user_data, [=](const World &world) {
+                std::vector<double> state(before, before + len);
+                *actions = world.execute(*ground, parameters, state);
+                if (state.size() != len)
+                    throw Error(CRITREG_INVALID_ARGUMENT, "the state has the wrong length");
+                std::copy(state.begin(), state.end(), after);
+                return CRITREG_OK;
+            });
+        };
+        callbacks.holds = [](void *user_data, const critreg_ground *ground, const double *state,
+                             std::size_t len, std::int32_t *holds) {
+            return guarded(user_data, [=](const World &world) {
+                *holds = world.holds(*ground, std::vector<double>(state, state + len));
+                return CRITREG_OK;
+            });
+        };
+        if (world.sample)
+            callbacks.sample = [](void *user_data, const critreg_draw *draw, critreg_rng *rng,
+                                  critreg_drawn *drawn) {
+                return guarded(user_data, [=](const World &world) {
+                    Rng own(*rng);
+                    const critreg_status status = world.sample(*draw, own, *drawn);
+                    *rng = own.state;
+                    return status;
+                });
+            };
+        if (world.advise)
+            callbacks.advise = [](void *user_data, const critreg_ground *prefix,
+                                  std::size_t length, const double *initial, std::size_t len,
+                                  critreg_advice *advice, std::uint32_t *reason) {
+                return guarded(user_data, [=](const World &world) {
+                    const std::vector<double> state(initial, initial + len);
+                    *advice = world.advise(prefix, length, state, *reason);
+                    return CRITREG_OK;
+                });
+            };
+        return callbacks;
+    }
+
+    Step step(std::size_t index) {
+        critreg_step step;
+        detail::check(critreg_step_init(&step, sizeof step));
+        check(critreg_planner_step(handle(), index, &step));
+        return {Ground(step.ground),
+                std::vector<double>(step.parameters, step.parameters + step.parameter_count),
+                std::vector<double>(step.state, step.state + state_len_), step.actions};
+    }
+
+    void check(critreg_status status) const {
+        if (status != CRITREG_OK) throw Error(status, why());
+    }
+
+    std::unique_ptr<std::uint64_t[]> memory_;   // the handle lies at its start
+    std::size_t state_len_;
 };
 
 } // namespace critreg

@@ -1,13 +1,15 @@
 //! What is wrong with a text, in words.
 
 use crate::memory::CRITREG_DOMAIN_TEXT_MAX;
+use crate::planner::read_texts;
+use crate::planner_layout::MAX_FACTS;
 use crate::pointer;
 use crate::region::REGION_TEXT_MAX;
 use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::text;
 use core::ffi::c_char;
 use core::fmt;
-use critreg_core::domain::Domain;
+use critreg_core::domain::{Domain, GroundAtom, pddl};
 use critreg_core::region::Region;
 
 /// Reads a domain text and says what is wrong with it, such as
@@ -62,6 +64,47 @@ pub unsafe extern "C" fn critreg_check_region(
     }
 }
 
+/// Reads a PDDL domain and a problem of it and says what is wrong with them, such as
+/// "problem, line 3, column 7: unknown object".
+///
+/// @param domain The PDDL domain, ended by NUL.
+/// @param problem A PDDL problem of that domain, ended by NUL.
+/// @param text Receives the words, as for critreg_check_domain().
+/// @param len Length of text in bytes; 0 if the words are not wanted.
+/// @param needed NULL, or receives the length of the words with their NUL.
+/// @return CRITREG_OK if critreg_planner_init() would accept both texts, given
+/// memory enough, else as critreg_check_domain(); CRITREG_CAPACITY_EXCEEDED for a
+/// text longer than CRITREG_PDDL_TEXT_MAX or too many ground atoms.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_check_pddl(
+    domain: *const c_char,
+    problem: *const c_char,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        let (which, checked) = match read_texts(domain, problem) {
+            Ok(texts) => check_pddl(texts),
+            Err(failure) => ("", Err(failure)),
+        };
+        explain_part(which, checked, text, len, needed)
+    }
+}
+
+/// What is wrong with a domain and a problem, and which of them is.
+fn check_pddl([domain, problem]: [&str; 2]) -> (&'static str, Fallible) {
+    let domain = match pddl::Domain::parse(domain) {
+        Ok(domain) => domain,
+        Err(error) => return ("domain, ", Err(error.into())),
+    };
+    let mut facts = [GroundAtom::default(); MAX_FACTS];
+    let grounded = pddl::Problem::parse(&domain, problem, &mut facts)
+        .and_then(|problem| pddl::Grounding::new(&problem).map(|_| ()));
+    ("problem, ", grounded.map_err(Failure::from))
+}
+
 /// # Safety
 /// If not NULL, the text can be read up to its NUL.
 unsafe fn parse_domain<'a>(domain: *const c_char) -> Fallible<Domain<'a>> {
@@ -84,13 +127,15 @@ unsafe fn check_region(domain: *const c_char, region_text: *const c_char) -> Fal
     Ok(())
 }
 
-struct Words(Fallible);
+/// What is wrong, and with what.
+struct Words(&'static str, Fallible);
 
 impl fmt::Display for Words {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
+        let Words(which, checked) = self;
+        match checked {
             Ok(()) => Ok(()),
-            Err(failure) => failure.fmt(f),
+            Err(failure) => write!(f, "{which}{failure}"),
         }
     }
 }
@@ -104,8 +149,21 @@ unsafe fn explain(
     needed: *mut usize,
 ) -> critreg_status {
     // SAFETY: by this function's contract.
+    unsafe { explain_part("", checked, text, len, needed) }
+}
+
+/// # Safety
+/// As for [`text::write`].
+unsafe fn explain_part(
+    which: &'static str,
+    checked: Fallible,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
     let written: Result<(), Failure> =
-        unsafe { text::write_cut_off(&Words(checked), text, len, needed) };
+        unsafe { text::write_cut_off(&Words(which, checked), text, len, needed) };
     // A wrong buffer is the first thing to put right.
     status_of(written.and(checked))
 }

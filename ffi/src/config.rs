@@ -145,20 +145,11 @@ fn defaults() -> critreg_config {
 /// If the pointer is not NULL and aligned, its `struct_size` is readable and as
 /// many bytes are.
 pub(crate) unsafe fn read(config: *const critreg_config) -> Fallible<critreg_config> {
-    let mut known = defaults();
     if config.is_null() {
-        return Ok(known);
+        return Ok(defaults());
     }
-    pointer::check(config, "config")?;
-    // SAFETY: checked; readable by this function's contract.
-    let size = unsafe { (&raw const (*config).struct_size).read() };
-    let now = size_of::<critreg_config>();
-    let bytes = structs::known_size(size as usize, critreg_config::FIRST, now)?;
-    // SAFETY: `bytes` is at most the size of either struct; both are repr(C), and
-    // every bit pattern that C can have written is valid for the fields.
-    unsafe {
-        core::ptr::copy_nonoverlapping(config.cast::<u8>(), (&raw mut known).cast(), bytes);
-    }
+    // SAFETY: by this function's contract.
+    let known = unsafe { structs::read(config, defaults(), "config")? };
     match known.learner {
         CRITREG_ALGORITHM1 | CRITREG_VERSION_SPACE => Ok(known),
         _ => Err(Failure::invalid("there is no learner with this number")),

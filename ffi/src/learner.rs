@@ -5,8 +5,9 @@ use crate::config::{
     self, CRITREG_DEFAULT_HYPOTHESES, CRITREG_MAX_DEFAULT_HYPOTHESES, FEWEST_HYPOTHESES,
     critreg_config,
 };
+use crate::handle::{self, Handle};
+use crate::layout::LearnerLayout;
 use crate::memory::{ALIGNMENT, CRITREG_DOMAIN_TEXT_MAX};
-use crate::plan::LearnerPlan;
 use crate::pointer::{self, Output};
 use crate::region::critreg_region;
 use crate::report::{critreg_progress, critreg_report};
@@ -18,7 +19,7 @@ use critreg_core::learn::{Learner as _, Problem};
 
 /// A learner. It lies at the start of the memory it was made in.
 pub struct critreg_learner {
-    seal: Cell<usize>,
+    seal: usize,
     /// What the last call left behind, also readable from a callback.
     pub(crate) report: Cell<critreg_report>,
     pub(crate) finished: Cell<bool>,
@@ -42,42 +43,22 @@ impl Inner {
     pub(crate) fn retire_region(&mut self) {
         // SAFETY: the region's part is reserved for the handle, and nothing refers
         // to it while a function runs that changes the learner.
-        unsafe { critreg_region::retire(self.region) }
+        unsafe { handle::retire(self.region) }
     }
 }
 
-/// What a learner at this address carries.
-fn seal_at(address: usize) -> usize {
-    address ^ (0x6C65_6172_6E65_7263_u64 as usize)
+// SAFETY: the seal is a word of the handle, and private.
+unsafe impl Handle for critreg_learner {
+    const KIND: u64 = 0x6C65_6172_6E65_7263;
+    const NAME: &'static str = "learner";
+
+    fn seal(handle: *const Self) -> *const usize {
+        // SAFETY: a place inside of the handle; nothing is read.
+        unsafe { &raw const (*handle).seal }
+    }
 }
 
 impl critreg_learner {
-    /// Breaks the seal of whatever lies in a learner's memory.
-    ///
-    /// # Safety
-    /// The memory is long enough for a learner, aligned, and lent to this call.
-    unsafe fn retire(learner: *mut critreg_learner) {
-        // SAFETY: by this function's contract; a word may have any value.
-        unsafe { (&raw mut (*learner).seal).cast::<usize>().write(0) }
-    }
-
-    /// The learner at a pointer.
-    ///
-    /// # Safety
-    /// If not NULL and aligned, the pointer is readable for as long as a learner is.
-    pub(crate) unsafe fn open<'a>(
-        learner: *const critreg_learner,
-    ) -> Fallible<&'a critreg_learner> {
-        pointer::check(learner, "learner")?;
-        // SAFETY: readable by this function's contract; a word may have any value.
-        let seal = unsafe { (&raw const (*learner).seal).cast::<usize>().read() };
-        if seal != seal_at(learner.addr()) {
-            return Err(Failure::NotAHandle);
-        }
-        // SAFETY: the seal shows that `critreg_learner_init` wrote a learner there.
-        Ok(unsafe { &*learner })
-    }
-
     /// Takes over what the inner learner has to report.
     pub(crate) fn publish(&self, inner: &Inner) {
         self.report.set(critreg_report::new(&inner.learner));
@@ -89,13 +70,13 @@ impl critreg_learner {
 /// words about a failure.
 ///
 /// # Safety
-/// As for [`critreg_learner::open`].
+/// As for [`handle::open`].
 pub(crate) unsafe fn with_learner(
     learner: *mut critreg_learner,
     body: impl FnOnce(&critreg_learner, &mut Inner) -> Fallible,
 ) -> critreg_status {
     // SAFETY: by this function's contract.
-    let handle = match unsafe { critreg_learner::open(learner) } {
+    let handle = match unsafe { handle::open(learner) } {
         Ok(handle) => handle,
         Err(failure) => return failure.status(),
     };
@@ -147,8 +128,8 @@ pub unsafe extern "C" fn critreg_learner_size(config: *const critreg_config) -> 
         0 => capacity.with_hypotheses(CRITREG_DEFAULT_HYPOTHESES as usize),
         _ => capacity,
     });
-    let plan = told.ok().and_then(LearnerPlan::new);
-    plan.map_or(0, |plan| plan.size)
+    let layout = told.ok().and_then(LearnerLayout::new);
+    layout.map_or(0, |layout| layout.size)
 }
 
 /// The alignment in bytes that the memory of a learner needs. An array of
@@ -181,7 +162,7 @@ pub extern "C" fn critreg_learner_align() -> usize {
 /// CRITREG_SYNTAX_ERROR (ask critreg_check_domain() where);
 /// CRITREG_CAPACITY_EXCEEDED if the text is longer than CRITREG_DOMAIN_TEXT_MAX
 /// or declares too many things; CRITREG_INVALID_ARGUMENT for a domain without
-/// parameters, a text that is not UTF-8, a wrong configuration or a manual sample
+/// parameters (CRITREG_ALGORITHM1 only), a text that is not UTF-8, a wrong configuration or a manual sample
 /// outside of the ranges of the parameters; CRITREG_NOT_FINITE for a manual sample
 /// or a share of the configuration; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
 #[unsafe(no_mangle)]
@@ -217,39 +198,35 @@ unsafe fn init(
     let mut capacity = config.capacity()?;
     if capacity.hypotheses() == 0 {
         let most = CRITREG_MAX_DEFAULT_HYPOTHESES as usize;
-        capacity = LearnerPlan::largest(memory_len, capacity, most);
+        capacity = LearnerLayout::largest(memory_len, capacity, most);
     }
-    let plan = LearnerPlan::new(capacity)
-        .filter(|plan| plan.size <= memory_len && capacity.hypotheses() >= FEWEST_HYPOTHESES)
+    let layout = LearnerLayout::new(capacity)
+        .filter(|layout| layout.size <= memory_len && capacity.hypotheses() >= FEWEST_HYPOTHESES)
         .ok_or(Failure::TooSmall("the memory of the learner"))?;
     // SAFETY: the memory was checked for NULL, alignment and length; the caller
-    // lends it to this learner alone, and the parts of a plan do not overlap.
+    // lends it to this learner alone, and the parts of a layout do not overlap.
     unsafe {
         // If this fails, a learner that was here before is one no more.
-        critreg_learner::retire(plan.handle.place(memory));
-        let domain = plan.domain.put(memory, text)?;
-        if domain.parameters().is_empty() {
-            return Err(Failure::invalid(
-                "the domain declares no parameter to learn about",
-            ));
-        }
+        handle::retire(layout.handle.place(memory));
+        let domain = layout.domain.put(memory, text)?;
         let mut inner = Inner {
-            learner: plan.make(memory, domain, &config)?,
-            region: plan.region.place(memory),
+            learner: layout.make(memory, domain, &config)?,
+            region: layout.region.place(memory),
             progress: config.progress,
             progress_data: config.progress_data,
         };
         inner.retire_region();
-        let handle = plan.handle.place(memory);
-        handle.write(critreg_learner {
-            seal: Cell::new(seal_at(handle.addr())),
+        let place = layout.handle.place(memory);
+        let made = critreg_learner {
+            seal: 0,
             report: Cell::new(critreg_report::new(&inner.learner)),
             finished: Cell::new(inner.learner.is_finished()),
             message: Cell::new(None),
             domain,
             inner: RefCell::new(inner),
-        });
-        output.write(handle);
+        };
+        handle::put(place, made);
+        output.write(place);
     }
     Ok(())
 }
@@ -266,7 +243,7 @@ pub unsafe extern "C" fn critreg_learner_instance_len(
     len: *mut usize,
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise.
-    let number = unsafe { critreg_learner::open(learner) }.and_then(|handle| {
+    let number = unsafe { handle::open(learner) }.and_then(|handle| {
         // SAFETY: as above.
         unsafe { Output::new(len, "len") }?.write(handle.domain.instance_len());
         Ok(())
@@ -285,7 +262,7 @@ pub unsafe extern "C" fn critreg_learner_parameter_count(
     count: *mut usize,
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise.
-    let number = unsafe { critreg_learner::open(learner) }.and_then(|handle| {
+    let number = unsafe { handle::open(learner) }.and_then(|handle| {
         // SAFETY: as above.
         unsafe { Output::new(count, "count") }?.write(handle.domain.parameters().len());
         Ok(())

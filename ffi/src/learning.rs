@@ -1,14 +1,14 @@
 //! Asking and telling.
 
+use crate::handle;
 use crate::learner::{Inner, critreg_learner, problem, with_learner};
 use crate::pointer::{self, Output, OutputArray};
 use crate::region::critreg_region;
 use crate::report::critreg_report;
-use crate::status::{CRITREG_OK, Failure, Fallible, critreg_status, status_of};
+use crate::status::{Failure, Fallible, Message, critreg_status, status_of, stop_unless_ok};
 use crate::structs;
 use crate::text;
 use core::ffi::{c_char, c_void};
-use core::fmt;
 use critreg_core::learn::{Answer, Learner as _, Problem, Query};
 
 /// What came of an action: CRITREG_FEASIBLE, or the number of the step of an
@@ -128,14 +128,6 @@ pub unsafe extern "C" fn critreg_learn_region(
     }
 }
 
-fn stop_unless_ok(status: critreg_status, callback: &'static str) -> Fallible {
-    if status == CRITREG_OK {
-        Ok(())
-    } else {
-        Err(Failure::Stopped(status, callback))
-    }
-}
-
 fn answer(outcome: critreg_outcome) -> Fallible<Answer> {
     match u32::try_from(outcome) {
         Ok(0) => Ok(Answer::Feasible),
@@ -180,7 +172,7 @@ fn give_region(handle: &critreg_learner, inner: &mut Inner) -> Fallible<*const c
 /// checked in every call.
 /// @param count How many there are.
 /// @param instance Receives the index of the instance to try it in.
-/// @param theta Receives the parameters: one number each.
+/// @param theta Receives the parameters: one number each. NULL if there are none.
 /// @return CRITREG_OUT_OF_SEQUENCE if learning is finished; CRITREG_MISMATCH if
 /// the instances changed; CRITREG_CAPACITY_EXCEEDED if there is no room for so
 /// many (critreg_config.instances); CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
@@ -197,12 +189,12 @@ pub unsafe extern "C" fn critreg_ask(
     unsafe {
         with_learner(learner, |handle, inner| {
             let index = Output::new(instance, "instance")?;
-            let parameters = OutputArray::new(theta, "theta")?;
+            let numbers = handle.domain.parameters().len();
+            let parameters = OutputArray::new(theta, numbers, "theta")?;
             let Query { instance, theta } =
                 inner.learner.ask(&problem(handle, instances, count)?)?;
             index.write(instance);
-            let used = theta.get(..handle.domain.parameters().len());
-            parameters.write(used.unwrap_or(&[]));
+            parameters.write(&theta);
             Ok(())
         })
     }
@@ -249,7 +241,7 @@ pub unsafe extern "C" fn critreg_is_finished(
     finished: *mut i32,
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise.
-    let answer = unsafe { critreg_learner::open(learner) }.and_then(|handle| {
+    let answer = unsafe { handle::open(learner) }.and_then(|handle| {
         // SAFETY: as above.
         let output = unsafe { Output::new(finished, "finished")? };
         output.write(i32::from(handle.finished.get()));
@@ -296,16 +288,8 @@ pub unsafe extern "C" fn critreg_learner_report(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let handle = critreg_learner::open(learner);
+        let handle = handle::open(learner);
         status_of(handle.and_then(|handle| structs::write(handle.report.get(), report, "report")))
-    }
-}
-
-struct Message(Option<Failure>);
-
-impl fmt::Display for Message {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.map_or(Ok(()), |failure| failure.fmt(f))
     }
 }
 
@@ -329,7 +313,7 @@ pub unsafe extern "C" fn critreg_learner_message(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let handle = critreg_learner::open(learner);
+        let handle = handle::open(learner);
         status_of(
             handle
                 .and_then(|handle| text::write(&Message(handle.message.get()), text, len, needed)),

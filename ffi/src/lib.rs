@@ -18,16 +18,21 @@
 //! | [`region`] | regions in memory, as text and as bytes |
 //! | [`constraint`] | the constraints of a region, one by one |
 //! | [`sampling`] | what a region says about an instance: samples |
+//! | [`planner_config`] | what a planner is told to do |
+//! | [`planner`] | a planner in the caller's memory |
+//! | [`planner_callbacks`] | what a planner asks the program |
+//! | [`planning`], [`planner_metrics`] | planning, the plan, what it cost |
 //! | [`rng`] | random numbers |
 //! | [`check`] | what is wrong with a text, in words |
-//! | [`stick_button`] | the built-in environment |
+//! | [`stick_button`], [`stick_button_world`] | the built-in environment, to learn and to plan in |
 //!
 //! # Why it is sound
-//! - The parts of a handle are cut out of the caller's memory without overlap
-//!   (the `memory` and `plan` modules compute their places and nothing else does), so no
-//!   reference to one covers another. `'static` in their types means: as long as
-//!   the caller lends the memory, which the header makes the caller's promise.
-//! - All that a learner changes is behind a `RefCell`. A callback that calls back
+//! - The parts of a handle are cut out of the caller's memory without overlap (the
+//!   `memory`, `layout` and `planner_layout` modules compute their places and nothing
+//!   else does), so no reference to one covers another. `'static` in their types
+//!   means: as long as the caller lends the memory, which the header makes the
+//!   caller's promise.
+//! - All that a learner or planner changes is behind a `RefCell`. A callback that calls back
 //!   finds it borrowed and gets [`status::CRITREG_BUSY`].
 //! - A handle is used only if it carries its seal, which depends on its address:
 //!   memory that is no handle, was retired or was moved is refused.
@@ -56,10 +61,19 @@ mod any;
 pub mod check;
 pub mod config;
 pub mod constraint;
+mod handle;
+mod layout;
 pub mod learner;
 pub mod learning;
 pub mod memory;
-mod plan;
+pub mod planner;
+pub mod planner_callbacks;
+pub mod planner_config;
+mod planner_layout;
+pub mod planner_metrics;
+mod planner_names;
+mod planner_world;
+pub mod planning;
 mod pointer;
 pub mod region;
 pub mod report;
@@ -68,6 +82,7 @@ pub mod sampling;
 pub mod saving;
 pub mod status;
 pub mod stick_button;
+pub mod stick_button_world;
 mod structs;
 mod text;
 

@@ -1,6 +1,6 @@
-//! How much memory a handle takes, and where its parts lie in it. One plan
-//! answers the question for the size and cuts the memory up. Regions stand here,
-//! learners in `plan`.
+//! How much memory a handle takes, and where its parts lie in it. One layout
+//! answers the question for the size and cuts the memory up. Those of regions stand
+//! here, those of learners in `layout`.
 
 use crate::region::critreg_region;
 use crate::status::{Failure, Fallible};
@@ -37,6 +37,27 @@ pub const CRITREG_SPAN_BYTES: usize = 16;
 /// Bytes of a step; for CRITREG_LEARNER_WORDS.
 pub const CRITREG_STEP_BYTES: usize = 5_376;
 
+/// Bytes of a planner that do not depend on its capacity, apart from pointers; for
+/// CRITREG_PLANNER_WORDS.
+pub const CRITREG_PLANNER_FIXED_BYTES: usize = 11_776;
+
+/// Pointers of a planner that do not depend on its capacity; for
+/// CRITREG_PLANNER_WORDS.
+pub const CRITREG_PLANNER_POINTERS: usize = 1_040;
+
+/// Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
+pub const CRITREG_OPERATOR_BYTES: usize = 76;
+
+/// Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
+pub const CRITREG_NODE_BYTES: usize = 42;
+
+/// Bytes of a step of the longest plan, apart from its state and pointers; for
+/// CRITREG_PLANNER_WORDS.
+pub const CRITREG_PLAN_STEP_BYTES: usize = 88;
+
+/// Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
+pub const CRITREG_PLAN_STEP_POINTERS: usize = 7;
+
 /// Most parameters of an action: an array for theta of this length fits every
 /// domain.
 pub const CRITREG_MAX_PARAMETERS: usize = 6;
@@ -55,7 +76,7 @@ const _: () = assert!(CRITREG_MAX_INTERVALS == 2 * MAX_CONSTRAINTS + 2);
 /// Alignment of all handles: memory made of `uint64_t` always fits.
 pub(crate) const ALIGNMENT: usize = align_of::<u64>();
 
-/// Some values of one type at their place in a plan.
+/// Some values of one type at their place in a layout.
 pub(crate) struct Part<T> {
     offset: usize,
     count: usize,
@@ -66,10 +87,10 @@ impl<T> Part<T> {
     /// Where the first value lies.
     ///
     /// # Safety
-    /// `memory` is aligned to [`ALIGNMENT`] and as long as the plan that the part
+    /// `memory` is aligned to [`ALIGNMENT`] and as long as the layout that the part
     /// belongs to.
     pub(crate) unsafe fn place(&self, memory: *mut u8) -> *mut T {
-        // SAFETY: the plan put the part inside of the memory.
+        // SAFETY: the layout put the part inside of the memory.
         unsafe { memory.add(self.offset).cast() }
     }
 
@@ -82,11 +103,24 @@ impl<T> Part<T> {
     where
         T: Clone,
     {
+        // SAFETY: by this function's contract.
+        unsafe { self.fill_with(memory, || value.clone()) }
+    }
+
+    /// As [`Part::fill`], each value made by a call.
+    ///
+    /// # Safety
+    /// As for [`Part::fill`].
+    pub(crate) unsafe fn fill_with(
+        &self,
+        memory: *mut u8,
+        mut value: impl FnMut() -> T,
+    ) -> &'static mut [T] {
         // SAFETY: `count` values fit at the place, which is aligned for them.
         unsafe {
             let first = self.place(memory);
             for index in 0..self.count {
-                first.add(index).write(value.clone());
+                first.add(index).write(value());
             }
             core::slice::from_raw_parts_mut(first, self.count)
         }
@@ -94,11 +128,11 @@ impl<T> Part<T> {
 }
 
 /// Counts bytes while parts are put one behind the other.
-pub(crate) struct Planner {
+pub(crate) struct Packer {
     pub(crate) size: usize,
 }
 
-impl Planner {
+impl Packer {
     /// Appends values; `None` if memory cannot be that long.
     pub(crate) const fn append<T>(&mut self, count: usize) -> Option<Part<T>> {
         const { assert!(align_of::<T>() <= ALIGNMENT) };
@@ -122,8 +156,8 @@ impl Planner {
 
 /// Appends a part or leaves the function with `None` (`?` is not const).
 macro_rules! append {
-    ($planner:ident, $count:expr) => {
-        match $planner.append($count) {
+    ($packer:ident, $count:expr) => {
+        match $packer.append($count) {
             Some(part) => part,
             None => return None,
         }
@@ -132,23 +166,23 @@ macro_rules! append {
 pub(crate) use append;
 
 /// The parts of a region with memory of its own.
-pub(crate) struct RegionPlan {
+pub(crate) struct RegionLayout {
     pub(crate) handle: Part<critreg_region>,
-    pub(crate) domain: DomainPlan,
+    pub(crate) domain: DomainLayout,
     pub(crate) size: usize,
 }
 
 /// A domain and the text that it borrows its names from.
-pub(crate) struct DomainPlan {
+pub(crate) struct DomainLayout {
     domain: Part<Domain<'static>>,
     text: Part<u8>,
 }
 
-impl DomainPlan {
-    pub(crate) const fn new(planner: &mut Planner) -> Option<DomainPlan> {
-        Some(DomainPlan {
-            domain: append!(planner, 1),
-            text: append!(planner, CRITREG_DOMAIN_TEXT_MAX),
+impl DomainLayout {
+    pub(crate) const fn new(packer: &mut Packer) -> Option<DomainLayout> {
+        Some(DomainLayout {
+            domain: append!(packer, 1),
+            text: append!(packer, CRITREG_DOMAIN_TEXT_MAX),
         })
     }
 
@@ -165,13 +199,7 @@ impl DomainPlan {
         // SAFETY: by this function's contract; the two parts do not overlap, and
         // after this function both are only read.
         let (place, room) = unsafe { (self.domain.place(memory), self.text.fill(memory, 0)) };
-        for (slot, byte) in room.iter_mut().zip(text.bytes()) {
-            *slot = byte;
-        }
-        let copied = room.get(..text.len()).unwrap_or(&[]);
-        let copied = core::str::from_utf8(copied);
-        let copied = copied.map_err(|_| Failure::invalid("the text is not UTF-8"))?;
-        let domain = Domain::parse(copied)?;
+        let domain = Domain::parse(copy_text(text, room)?)?;
         // SAFETY: as above; a domain needs no drop, so what was there may be lost.
         unsafe {
             place.write(domain);
@@ -180,17 +208,27 @@ impl DomainPlan {
     }
 }
 
-impl RegionPlan {
-    pub(crate) const fn new() -> Option<RegionPlan> {
-        let mut planner = Planner { size: 0 };
-        let handle = append!(planner, 1);
-        let Some(domain) = DomainPlan::new(&mut planner) else {
+/// Copies a text to the beginning of a room that is at least as long.
+pub(crate) fn copy_text(text: &str, room: &'static mut [u8]) -> Fallible<&'static str> {
+    for (slot, byte) in room.iter_mut().zip(text.bytes()) {
+        *slot = byte;
+    }
+    let copied = room.get(..text.len()).unwrap_or(&[]);
+    let copied = core::str::from_utf8(copied);
+    copied.map_err(|_| Failure::invalid("the text is not UTF-8"))
+}
+
+impl RegionLayout {
+    pub(crate) const fn new() -> Option<RegionLayout> {
+        let mut packer = Packer { size: 0 };
+        let handle = append!(packer, 1);
+        let Some(domain) = DomainLayout::new(&mut packer) else {
             return None;
         };
-        Some(RegionPlan {
+        Some(RegionLayout {
             handle,
             domain,
-            size: planner.size,
+            size: packer.size,
         })
     }
 }
@@ -198,7 +236,7 @@ impl RegionPlan {
 // The macro of the header promises enough memory; on every target that is built.
 const _: () = {
     const POINTERS: usize = CRITREG_HANDLE_POINTERS * size_of::<*const u8>();
-    let Some(region) = RegionPlan::new() else {
+    let Some(region) = RegionLayout::new() else {
         panic!()
     };
     assert!(CRITREG_REGION_FIXED_BYTES + POINTERS >= region.size);

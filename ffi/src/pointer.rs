@@ -15,7 +15,7 @@ pub(crate) fn check<T>(pointer: *const T, name: &'static str) -> Fallible {
     }
 }
 
-/// The `count` values at a pointer.
+/// The `count` values at a pointer, which may be NULL if there are none.
 ///
 /// # Safety
 /// If it is not NULL and aligned, `count` values can be read there for `'a`.
@@ -24,6 +24,9 @@ pub(crate) unsafe fn slice<'a, T>(
     count: usize,
     name: &'static str,
 ) -> Fallible<&'a [T]> {
+    if count == 0 {
+        return Ok(&[]);
+    }
     check(pointer, name)?;
     let bytes = count.checked_mul(size_of::<T>());
     if bytes.is_none_or(|bytes| bytes > isize::MAX as usize) {
@@ -77,22 +80,28 @@ impl<T> Output<T> {
     }
 }
 
-/// A place for several results.
-pub(crate) struct OutputArray<T>(*mut T);
+/// A place for several results, which may be NULL if there are none.
+pub(crate) struct OutputArray<T> {
+    first: *mut T,
+    count: usize,
+}
 
 impl<T: Copy> OutputArray<T> {
     /// # Safety
-    /// If the pointer is not NULL and aligned, as many values as will be given to
-    /// `write` can be written there until the function that was called from C
-    /// returns.
-    pub(crate) unsafe fn new(pointer: *mut T, name: &'static str) -> Fallible<Self> {
-        check(pointer, name)?;
-        Ok(OutputArray(pointer))
+    /// If the pointer is not NULL and aligned, `count` values can be written there
+    /// until the function that was called from C returns.
+    pub(crate) unsafe fn new(first: *mut T, count: usize, name: &'static str) -> Fallible<Self> {
+        if count > 0 {
+            check(first, name)?;
+        }
+        Ok(OutputArray { first, count })
     }
 
+    /// Writes the first of these values, as many as there are places.
     pub(crate) fn write(self, values: &[T]) {
-        // SAFETY: checked, and writable by the contract of `new`; what the library
-        // computed does not lie in the caller's output.
-        unsafe { core::ptr::copy_nonoverlapping(values.as_ptr(), self.0, values.len()) }
+        for (index, value) in values.iter().take(self.count).enumerate() {
+            // SAFETY: checked, and writable by the contract of `new`.
+            unsafe { self.first.add(index).write(*value) }
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Regions in memory, as text and as bytes.
 
-use crate::memory::{ALIGNMENT, CRITREG_DOMAIN_TEXT_MAX, RegionPlan};
+use crate::handle::{self, Handle};
+use crate::memory::{ALIGNMENT, CRITREG_DOMAIN_TEXT_MAX, RegionLayout};
 use crate::pointer::{self, Output};
 use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::text;
@@ -28,16 +29,22 @@ pub struct critreg_region {
     known: usize,
 }
 
-/// What a region at this address carries.
-fn seal_at(address: usize) -> usize {
-    address ^ (0x7265_6769_6F6E_6372_u64 as usize)
+// SAFETY: the seal is a word of the handle, and private.
+unsafe impl Handle for critreg_region {
+    const KIND: u64 = 0x7265_6769_6F6E_6372;
+    const NAME: &'static str = "region";
+
+    fn seal(handle: *const Self) -> *const usize {
+        // SAFETY: a place inside of the handle; nothing is read.
+        unsafe { &raw const (*handle).seal }
+    }
 }
 
 impl critreg_region {
     /// Writes a handle; what lay there before is lost.
     ///
     /// # Safety
-    /// The place is aligned and writable, and nothing else refers to it.
+    /// As for [`handle::put`].
     pub(crate) unsafe fn put(
         place: *mut critreg_region,
         domain: &'static Domain<'static>,
@@ -49,36 +56,14 @@ impl critreg_region {
             *slot = *own;
         }
         let handle = critreg_region {
-            seal: seal_at(place.addr()),
+            seal: 0,
             domain,
             region,
             evidence,
             known: support.len(),
         };
-        // SAFETY: by this function's contract; a region needs no drop.
-        unsafe { place.write(handle) }
-    }
-
-    /// Takes the seal away.
-    ///
-    /// # Safety
-    /// As for [`critreg_region::put`].
-    pub(crate) unsafe fn retire(place: *mut critreg_region) {
         // SAFETY: by this function's contract.
-        unsafe { (&raw mut (*place).seal).write(0) }
-    }
-
-    /// # Safety
-    /// If not NULL and aligned, the pointer is readable for as long as a region is.
-    unsafe fn open<'a>(region: *const critreg_region) -> Fallible<&'a critreg_region> {
-        pointer::check(region, "region")?;
-        // SAFETY: readable by this function's contract.
-        let seal = unsafe { (&raw const (*region).seal).read() };
-        if seal != seal_at(region.addr()) {
-            return Err(Failure::NotAHandle);
-        }
-        // SAFETY: the seal shows that `put` wrote a region there.
-        Ok(unsafe { &*region })
+        unsafe { handle::put(place, handle) }
     }
 
     /// What supports a constraint, if that is known.
@@ -116,20 +101,20 @@ impl fmt::Display for critreg_region {
 /// Runs a call on a region.
 ///
 /// # Safety
-/// As for [`critreg_region::open`].
+/// As for [`handle::open`].
 pub(crate) unsafe fn with_region(
     region: *const critreg_region,
     body: impl FnOnce(&critreg_region) -> Fallible,
 ) -> critreg_status {
     // SAFETY: by this function's contract.
-    status_of(unsafe { critreg_region::open(region) }.and_then(body))
+    status_of(unsafe { handle::open(region) }.and_then(body))
 }
 
 /// How many bytes of memory a region takes that does not belong to a learner.
 /// CRITREG_REGION_WORDS sizes a static array.
 #[unsafe(no_mangle)]
 pub extern "C" fn critreg_region_size() -> usize {
-    RegionPlan::new().map_or(0, |plan| plan.size)
+    RegionLayout::new().map_or(0, |layout| layout.size)
 }
 
 /// The alignment in bytes that the memory of a region needs. An array of uint64_t
@@ -220,17 +205,17 @@ unsafe fn make(
     output: *mut *mut critreg_region,
 ) -> Fallible {
     pointer::check(memory.cast::<u64>(), "memory")?;
-    let plan = RegionPlan::new()
-        .filter(|plan| plan.size <= memory_len)
+    let layout = RegionLayout::new()
+        .filter(|layout| layout.size <= memory_len)
         .ok_or(Failure::TooSmall("the memory of the region"))?;
     // SAFETY: by this function's contract; the memory was checked for alignment
-    // and length, and the parts of a plan do not overlap.
+    // and length, and the parts of a layout do not overlap.
     unsafe {
         let output = Output::new(output, "region")?;
-        let place = plan.handle.place(memory);
+        let place = layout.handle.place(memory);
         // If this fails, a region that was here before is one no more.
-        critreg_region::retire(place);
-        let domain = plan.domain.put(memory, domain_text)?;
+        handle::retire(place);
+        let domain = layout.domain.put(memory, domain_text)?;
         let region = Region::parse(domain, text)?;
         critreg_region::put(place, domain, region, &[]);
         output.write(place);

@@ -1,17 +1,20 @@
 //! What a region says about an instance: membership, intervals, samples.
 
+use crate::handle;
 use crate::pointer::{self, Output, OutputArray};
 use crate::region::{critreg_region, with_region};
 use crate::rng::{critreg_rng, with_rng};
-use crate::status::{Failure, critreg_status};
-use critreg_core::region::Theta;
+use crate::status::{Failure, Fallible, critreg_status, status_of};
+use critreg_core::Error;
+use critreg_core::region::{Intersection, Part, Theta};
+use heapless::Vec;
 
 /// Whether an action with these parameters is expected to work.
 ///
 /// @param region The region.
 /// @param instance The instance: one number per attribute.
-/// @param theta The parameters: one number each. Outside of their ranges they
-/// are not inside of any region.
+/// @param theta The parameters: one number each; NULL if there are none. Outside of
+/// their ranges they are not inside of any region.
 /// @param inside Receives 1 or 0.
 /// @return CRITREG_NOT_FINITE for a number of the instance or of theta;
 /// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
@@ -128,7 +131,7 @@ pub unsafe extern "C" fn critreg_region_is_empty(
 /// @param region The region.
 /// @param instance The instance: one number per attribute.
 /// @param rng The generator, which moves on, also if no parameters are found.
-/// @param theta Receives the parameters: one number each.
+/// @param theta Receives the parameters: one number each. NULL if there are none.
 /// @return CRITREG_EMPTY_REGION if it is proven that there are none,
 /// CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_NOT_FINITE,
 /// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
@@ -142,13 +145,132 @@ pub unsafe extern "C" fn critreg_sample_region(
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
         with_region(region, |handle| {
-            let output = OutputArray::new(theta, "theta")?;
+            let count = handle.domain.parameters().len();
+            let output = OutputArray::new(theta, count, "theta")?;
             let (region, domain) = (&handle.region, handle.domain);
             let instance = handle.instance(instance)?;
             let drawn: Theta = with_rng(rng, |rng| region.sample::<f64>(domain, instance, rng))??;
-            let count = domain.parameters().len();
-            output.write(drawn.get(..count).unwrap_or(&[]));
+            output.write(&drawn);
             Ok(())
         })
     }
+}
+
+/// Most regions of critreg_sample_regions() and critreg_regions_are_empty().
+pub const CRITREG_MAX_REGIONS: usize = 32;
+
+/// The intersection of the caller's regions, if there is at least one.
+///
+/// # Safety
+/// If not NULL and aligned, `regions` and `instances` have `count` pointers; those
+/// to regions are readable for as long as a region is, those to instances for one
+/// instance of their region.
+unsafe fn with_intersection(
+    regions: *const *const critreg_region,
+    instances: *const *const f64,
+    count: usize,
+    body: impl FnOnce(&Intersection<'_, f64>, usize) -> Fallible,
+) -> Fallible {
+    if count == 0 {
+        return Err(Failure::invalid("an intersection needs a region"));
+    }
+    let mut parts: Vec<Part<'_>, CRITREG_MAX_REGIONS> = Vec::new();
+    // SAFETY: by this function's contract, for all.
+    unsafe {
+        let regions = pointer::slice(regions, count, "regions")?;
+        let instances = pointer::slice(instances, count, "instances")?;
+        for (region, instance) in regions.iter().zip(instances) {
+            let handle = handle::open(*region)?;
+            let part = Part {
+                region: &handle.region,
+                domain: handle.domain,
+                instance: handle.instance(*instance)?,
+            };
+            let full = Error::CapacityExceeded("regions of an intersection");
+            parts.push(part).map_err(|_| full)?;
+        }
+    }
+    let parameters = parts.first().map_or(0, |p| p.domain.parameters().len());
+    body(&Intersection::new(&parts)?, parameters)
+}
+
+/// Draws parameters that several regions admit, each in an instance of its own: the
+/// region of an action, and those of what comes after it.
+///
+/// This is what a planner with a search of its own uses for chains. A region that
+/// was learned about a sequence of actions, such as "pick, then press", says with
+/// which parameters of the first action the last one works. It is put into as many
+/// instances as the plan skeleton has last actions, one for each button that is
+/// going to be pressed, and the intersection is known before anything is tried: if
+/// it is empty, so is the hope for the skeleton.
+///
+/// ```c
+/// const critreg_region *regions[] = {pick, pick_and_press, pick_and_press};
+/// const double *instances[] = {now, with_first_button, with_second_button};
+/// switch (critreg_sample_regions(regions, instances, 3, &rng, theta)) {
+/// case CRITREG_OK:           return try_action(theta);
+/// case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+/// default:                   return try_action_with_any_parameters();
+/// }
+/// ```
+///
+/// Draws are made in the way of critreg_sample_region().
+///
+/// @param regions The regions. Their domains may differ, but not in number and
+/// ranges of the parameters.
+/// @param instances An instance for each: one number per attribute.
+/// @param count How many regions there are, from 1 to CRITREG_MAX_REGIONS.
+/// @param rng The generator, which moves on, also if no parameters are found.
+/// @param theta Receives the parameters: one number each. NULL if there are none.
+/// @return CRITREG_EMPTY_REGION if it is proven that there are none,
+/// CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_MISMATCH if the
+/// regions have other parameters; CRITREG_CAPACITY_EXCEEDED for too many regions;
+/// CRITREG_INVALID_ARGUMENT for no region; CRITREG_NOT_FINITE,
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_sample_regions(
+    regions: *const *const critreg_region,
+    instances: *const *const f64,
+    count: usize,
+    rng: *mut critreg_rng,
+    theta: *mut f64,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    let drawn = unsafe {
+        with_intersection(regions, instances, count, |intersection, parameters| {
+            let output = OutputArray::new(theta, parameters, "theta")?;
+            output.write(&with_rng(rng, |rng| intersection.sample(rng))??);
+            Ok(())
+        })
+    };
+    status_of(drawn)
+}
+
+/// Whether it is proven that several regions, each in an instance of its own, admit
+/// no parameters together; see critreg_sample_regions() and
+/// critreg_region_is_empty().
+///
+/// @param regions The regions.
+/// @param instances An instance for each: one number per attribute.
+/// @param count How many regions there are, from 1 to CRITREG_MAX_REGIONS.
+/// @param empty Receives 1 or 0.
+/// @return CRITREG_MISMATCH, CRITREG_CAPACITY_EXCEEDED, CRITREG_INVALID_ARGUMENT as
+/// critreg_sample_regions(); CRITREG_NOT_FINITE, CRITREG_NULL_POINTER,
+/// CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_regions_are_empty(
+    regions: *const *const critreg_region,
+    instances: *const *const f64,
+    count: usize,
+    empty: *mut i32,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    let answer = unsafe {
+        with_intersection(regions, instances, count, |intersection, _| {
+            let output = Output::new(empty, "empty")?;
+            output.write(i32::from(intersection.is_proven_empty()?));
+            Ok(())
+        })
+    };
+    status_of(answer)
 }

@@ -44,13 +44,16 @@ pub const CRITREG_OUT_OF_SEQUENCE: critreg_status = 11;
 pub const CRITREG_MISMATCH: critreg_status = 12;
 /// Saved bytes are damaged, incomplete or of another version.
 pub const CRITREG_CORRUPT: critreg_status = 13;
-/// A callback called back into the learner that is calling it.
+/// A callback called back into the learner or planner that is calling it.
 pub const CRITREG_BUSY: critreg_status = 14;
 /// For callbacks: the program wants to stop. The library itself never returns it.
 pub const CRITREG_CANCELLED: critreg_status = 15;
 /// The pointer is no handle, or no longer: the memory was overwritten, moved or
 /// copied, or the learner of a region went on.
 pub const CRITREG_NOT_A_HANDLE: critreg_status = 16;
+/// No plan was found: critreg_planner_metrics() tells how planning ended and what
+/// stood in the way.
+pub const CRITREG_NO_PLAN: critreg_status = 17;
 /// From here on the codes belong to the program: a callback may return any of
 /// them and finds it again as the status of the call.
 pub const CRITREG_USER_STATUS: critreg_status = 1000;
@@ -68,6 +71,8 @@ pub(crate) enum Failure {
     Stopped(critreg_status, &'static str),
     /// The pointer is no handle.
     NotAHandle,
+    /// No plan was found; how planning ended.
+    NoPlan(&'static str),
     /// The core refused.
     Core(Error),
 }
@@ -93,6 +98,7 @@ impl Failure {
             Failure::TooSmall(_) => CRITREG_TOO_SMALL,
             Failure::Stopped(status, _) => status,
             Failure::NotAHandle => CRITREG_NOT_A_HANDLE,
+            Failure::NoPlan(_) => CRITREG_NO_PLAN,
             Failure::Core(error) => match error {
                 Error::Syntax(_) => CRITREG_SYNTAX_ERROR,
                 Error::CapacityExceeded(_) => CRITREG_CAPACITY_EXCEEDED,
@@ -117,8 +123,18 @@ impl fmt::Display for Failure {
             Failure::TooSmall(what) => write!(f, "too small: {what}"),
             Failure::Stopped(status, name) => write!(f, "{name} returned status {status}"),
             Failure::NotAHandle => f.write_str("this is no handle"),
+            Failure::NoPlan(how) => write!(f, "no plan: {how}"),
             Failure::Core(error) => error.fmt(f),
         }
+    }
+}
+
+/// The words about a failure; none if there was none.
+pub(crate) struct Message(pub(crate) Option<Failure>);
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.map_or(Ok(()), |failure| failure.fmt(f))
     }
 }
 
@@ -129,8 +145,17 @@ pub(crate) fn status_of(result: Fallible) -> critreg_status {
     }
 }
 
+/// Passes on what a callback returned, unless it is CRITREG_OK.
+pub(crate) fn stop_unless_ok(status: critreg_status, callback: &'static str) -> Fallible {
+    if status == CRITREG_OK {
+        Ok(())
+    } else {
+        Err(Failure::Stopped(status, callback))
+    }
+}
+
 /// Name and meaning of every code, in order of the codes.
-const CODES: [(&CStr, &CStr); 17] = [
+const CODES: [(&CStr, &CStr); 18] = [
     (c"CRITREG_OK", c"success"),
     (c"CRITREG_NULL_POINTER", c"a pointer is NULL"),
     (c"CRITREG_MISALIGNED", c"a pointer is not aligned"),
@@ -174,10 +199,11 @@ const CODES: [(&CStr, &CStr); 17] = [
     ),
     (
         c"CRITREG_BUSY",
-        c"a callback called back into its own learner",
+        c"a callback called back into its own learner or planner",
     ),
     (c"CRITREG_CANCELLED", c"a callback cancelled the call"),
     (c"CRITREG_NOT_A_HANDLE", c"the pointer is no handle"),
+    (c"CRITREG_NO_PLAN", c"no plan was found"),
 ];
 
 fn code(status: critreg_status) -> Option<&'static (&'static CStr, &'static CStr)> {

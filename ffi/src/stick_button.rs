@@ -37,6 +37,27 @@ fn environment(options: u32) -> Fallible<StickButton> {
     }
 }
 
+/// The environment with the options at a pointer, which may be NULL for none.
+///
+/// # Safety
+/// If not NULL and aligned, the pointer is readable.
+pub(crate) unsafe fn environment_of(options: *const u32) -> Fallible<StickButton> {
+    if options.is_null() {
+        return environment(0);
+    }
+    pointer::check(options, "user_data")?;
+    // SAFETY: checked; readable by this function's contract.
+    environment(unsafe { options.read() })
+}
+
+pub(crate) fn all_finite(numbers: &[f64], what: &'static str) -> Fallible {
+    if numbers.iter().all(|number| number.is_finite()) {
+        Ok(())
+    } else {
+        Err(Error::NotFinite(what).into())
+    }
+}
+
 /// The domain text of picking the stick with one button on the table, the action
 /// PickStickFromNothing of the thesis. Its one parameter is mu, the place of the
 /// grasp along the stick, from 0 to 1.
@@ -47,46 +68,50 @@ pub extern "C" fn critreg_stick_button_domain() -> *const c_char {
     DOMAIN.as_ptr().cast()
 }
 
-/// How many numbers an instance has: robot x, y, theta; stick x, y, theta, held;
-/// holder x, y, theta; button x, y, pressed. Lengths are in units of the table
-/// (10 by 6), angles in radians.
+/// How many numbers a state has: robot x, y, theta; stick x, y, theta, held; holder
+/// x, y, theta; and x, y, pressed of each button. Lengths are in units of the table
+/// (10 by 6), angles in radians. An instance of critreg_stick_button_domain() is a
+/// state with one button.
 #[unsafe(no_mangle)]
-pub extern "C" fn critreg_stick_button_instance_len() -> usize {
-    StickButton::PICK_INSTANCE_LEN
+pub extern "C" fn critreg_stick_button_state_len(buttons: u32) -> usize {
+    StickButton::PICK_INSTANCE_LEN - 3 + 3 * buttons as usize
 }
 
-/// Draws a random task with one button and writes its initial state.
+/// Draws a random task, to press all buttons, and writes its initial state. Nothing
+/// is held in it, and the robot and the stick lie above no button.
 ///
 /// @param seed Every seed gives one task, the same on every machine.
 /// @param options 0 or CRITREG_STICK_BUTTON_ANGLES.
-/// @param instance Receives the instance.
-/// @param len Length of instance in numbers, at least
-/// critreg_stick_button_instance_len().
-/// @return CRITREG_TOO_SMALL; CRITREG_INVALID_ARGUMENT for unknown options;
-/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+/// @param buttons How many buttons there are, from 1 to 10.
+/// @param state Receives the state.
+/// @param len Length of state in numbers, at least
+/// critreg_stick_button_state_len().
+/// @return CRITREG_TOO_SMALL; CRITREG_INVALID_ARGUMENT for unknown options or
+/// another number of buttons; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_stick_button_task(
     seed: u64,
     options: u32,
-    instance: *mut f64,
+    buttons: u32,
+    state: *mut f64,
     len: usize,
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { task(seed, options, instance, len) })
+    status_of(unsafe { task(seed, options, buttons, state, len) })
 }
 
 /// # Safety
-/// If not NULL and aligned, `instance` is writable for `len` numbers.
-unsafe fn task(seed: u64, options: u32, instance: *mut f64, len: usize) -> Fallible {
-    // SAFETY: by this function's contract; the length is checked before writing.
-    let output = unsafe { OutputArray::new(instance, "instance")? };
-    if len < StickButton::PICK_INSTANCE_LEN {
-        return Err(Failure::TooSmall("the array for the instance"));
-    }
-    let task = environment(options)?.task(1..=1, &mut generator(seed))?;
+/// If not NULL and aligned, `state` is writable for `len` numbers.
+unsafe fn task(seed: u64, options: u32, buttons: u32, state: *mut f64, len: usize) -> Fallible {
+    pointer::check(state, "state")?;
+    let count = buttons as usize;
+    let task = environment(options)?.task(count..=count, &mut generator(seed))?;
     let values = task.initial.values();
-    let exact = values.get(..StickButton::PICK_INSTANCE_LEN);
-    output.write(exact.ok_or(Error::Mismatch("the task has another length"))?);
+    if len < values.len() {
+        return Err(Failure::TooSmall("the array for the state"));
+    }
+    // SAFETY: by this function's contract.
+    unsafe { OutputArray::new(state, values.len(), "state")? }.write(values);
     Ok(())
 }
 
@@ -95,7 +120,7 @@ unsafe fn task(seed: u64, options: u32, instance: *mut f64, len: usize) -> Falli
 ///
 /// @param user_data NULL, or a pointer to a uint32_t with options: 0 or
 /// CRITREG_STICK_BUTTON_ANGLES. It is only read.
-/// @param instance The instance: critreg_stick_button_instance_len() numbers.
+/// @param instance The instance: a state with one button.
 /// @param theta The parameter mu.
 /// @param outcome Receives CRITREG_FEASIBLE or CRITREG_INFEASIBLE.
 /// @return CRITREG_NOT_FINITE for a number of the instance or for mu;
@@ -121,27 +146,17 @@ unsafe fn pick(
     outcome: *mut critreg_outcome,
 ) -> Fallible {
     // SAFETY: by this function's contract, for all.
-    let (output, instance, theta, options) = unsafe {
-        let options = if options.is_null() {
-            0
-        } else {
-            pointer::check(options, "user_data")?;
-            options.read()
-        };
+    let (environment, output, instance, theta) = unsafe {
         (
+            environment_of(options)?,
             Output::new(outcome, "outcome")?,
             pointer::slice(instance, StickButton::PICK_INSTANCE_LEN, "instance")?,
             pointer::slice(theta, 1, "theta")?,
-            options,
         )
     };
-    if !instance.iter().all(|number| number.is_finite()) {
-        return Err(Error::NotFinite("a number of an instance").into());
-    }
-    if !theta.iter().all(|number| number.is_finite()) {
-        return Err(Error::NotFinite("the parameter").into());
-    }
-    let answer = environment(options)?.try_pick(instance, theta)?;
+    all_finite(instance, "a number of an instance")?;
+    all_finite(theta, "the parameter")?;
+    let answer = environment.try_pick(instance, theta)?;
     output.write(if answer.is_feasible() {
         CRITREG_FEASIBLE
     } else {

@@ -34,7 +34,7 @@ pub(crate) unsafe fn init<T: Copy>(
     Ok(())
 }
 
-/// What a struct of the caller is filled with.
+/// A struct of the caller that starts with its size.
 ///
 /// # Safety
 /// It is `repr(C)` and starts with a `u32`, its `struct_size`.
@@ -61,4 +61,28 @@ pub(crate) unsafe fn write<T: Versioned>(value: T, target: *mut T, name: &'stati
         size_field.write(size);
     }
     Ok(())
+}
+
+/// Reads a struct that its init function prepared and that may be an older,
+/// shorter one; the rest of it is as in `defaults`.
+///
+/// # Safety
+/// If the pointer is not NULL and aligned, its `struct_size` is readable and as
+/// many bytes are; every bit pattern that C can have written is valid.
+pub(crate) unsafe fn read<T: Versioned>(
+    source: *const T,
+    defaults: T,
+    name: &'static str,
+) -> Fallible<T> {
+    pointer::check(source, name)?;
+    // SAFETY: checked; the struct starts with its size, which is readable by this
+    // function's contract.
+    let size = unsafe { source.cast::<u32>().read() };
+    let bytes = known_size(size as usize, T::FIRST, size_of::<T>())?;
+    let mut known = defaults;
+    // SAFETY: `bytes` is at most the size of either struct.
+    unsafe {
+        core::ptr::copy_nonoverlapping(source.cast::<u8>(), (&raw mut known).cast(), bytes);
+    }
+    Ok(known)
 }

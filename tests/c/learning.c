@@ -134,11 +134,52 @@ static void no_region(void)
     EXPECT_TRUE(region == NULL);
 }
 
+/* An action without parameters works where the wall is not too near. */
+static critreg_status pass(void *user_data, const double *instance, const double *theta,
+                           critreg_outcome *outcome)
+{
+    (void)user_data;
+    (void)theta;
+    *outcome = instance[0] >= 0.5 ? CRITREG_FEASIBLE : CRITREG_INFEASIBLE;
+    return CRITREG_OK;
+}
+
+static void region_over_the_state(void)
+{
+    static const char state[] =
+        "object wall { x: length, y: length }\nconstant door.width = 0.5: length\n";
+    static double walls[40][2];
+    static uint64_t words[CRITREG_LEARNER_WORDS_FOR(1024, 64, 40, 1)];
+    const double near_wall[2] = {0.45, 0.0}, far_wall[2] = {0.55, 0.0};
+    critreg_config config = reach_config();
+    critreg_learner *learner = NULL;
+    const critreg_region *region = NULL;
+    critreg_rng rng = critreg_rng_seed(9);
+    size_t count = 77, i;
+    int32_t inside = 77;
+
+    for (i = 0; i < 40; i++)
+        OK(critreg_rng_uniform(&rng, &walls[i][0]));
+    config.observations = 64;
+    config.instances = 40;
+    OK(critreg_learner_init(words, sizeof words, state, &config, &learner));
+    OK(critreg_learner_parameter_count(learner, &count));
+    EXPECT_TRUE(count == 0);
+    OK(critreg_ask(learner, &walls[0][0], 40, &i, NULL));
+    EXPECT_TRUE(i < 40);
+    OK(critreg_learn_region(learner, &walls[0][0], 40, pass, NULL, &region));
+    OK(critreg_region_contains(region, near_wall, NULL, &inside));
+    EXPECT_TRUE(inside == 0);
+    OK(critreg_region_contains(region, far_wall, NULL, &inside));
+    EXPECT_TRUE(inside == 1);
+}
+
 int main(void)
 {
     chain();
     noise();
     certificate();
     no_region();
+    region_over_the_state();
     return summary();
 }

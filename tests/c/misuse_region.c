@@ -18,6 +18,7 @@ static void no_handle(const critreg_region *region, critreg_status expected)
     critreg_constraint constraint;
     critreg_rng rng = critreg_rng_seed(1);
     double theta = 0.5, ends[2];
+    const double *instance = WALLS;
     size_t number;
     int32_t answer;
     uint8_t bytes[64];
@@ -31,6 +32,8 @@ static void no_handle(const critreg_region *region, critreg_status expected)
     EXPECT(expected, critreg_region_intervals(region, WALLS, ends, 1, &number));
     EXPECT(expected, critreg_region_is_empty(region, WALLS, &answer));
     EXPECT(expected, critreg_sample_region(region, WALLS, &rng, &theta));
+    EXPECT(expected, critreg_sample_regions(&region, &instance, 1, &rng, &theta));
+    EXPECT(expected, critreg_regions_are_empty(&region, &instance, 1, &answer));
     OK(critreg_constraint_init(&constraint, sizeof constraint));
     EXPECT(expected, critreg_region_constraint_count(region, &number));
     EXPECT(expected, critreg_region_constraint(region, 0, &constraint));
@@ -321,14 +324,14 @@ static void generator_and_environment(void)
     OK(critreg_rng_uniform(&same, &second));
     EXPECT_TRUE(first == second);
 
-    EXPECT_TRUE(critreg_stick_button_instance_len() == 13);
-    EXPECT(CRITREG_NULL_POINTER, critreg_stick_button_task(1, 0, NULL, 13));
-    EXPECT(CRITREG_MISALIGNED, critreg_stick_button_task(1, 0, ASKEW(double, other), 13));
-    EXPECT(CRITREG_TOO_SMALL, critreg_stick_button_task(1, 0, instance, 12));
-    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_stick_button_task(1, 2, instance, 13));
-    OK(critreg_stick_button_task(1, options, instance, 13));
+    EXPECT_TRUE(critreg_stick_button_state_len(1) == 13);
+    EXPECT(CRITREG_NULL_POINTER, critreg_stick_button_task(1, 0, 1, NULL, 13));
+    EXPECT(CRITREG_MISALIGNED, critreg_stick_button_task(1, 0, 1, ASKEW(double, other), 13));
+    EXPECT(CRITREG_TOO_SMALL, critreg_stick_button_task(1, 0, 1, instance, 12));
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_stick_button_task(1, 2, 1, instance, 13));
+    OK(critreg_stick_button_task(1, options, 1, instance, 13));
     OK(critreg_stick_button_pick(&options, instance, &mu, &outcome));
-    OK(critreg_stick_button_task(1, 0, instance, 13));
+    OK(critreg_stick_button_task(1, 0, 1, instance, 13));
     OK(critreg_stick_button_pick(NULL, instance, &mu, &outcome));
     EXPECT_TRUE(outcome == CRITREG_FEASIBLE || outcome == CRITREG_INFEASIBLE);
     outcome = 77;
@@ -344,12 +347,154 @@ static void generator_and_environment(void)
     EXPECT_TRUE(outcome == 77);
 }
 
+/* Several regions at once: clear of two walls, and beyond a point of a third domain. */
+static void wrong_intersections(void)
+{
+    static uint64_t apart[CRITREG_REGION_WORDS], longer[CRITREG_REGION_WORDS];
+    critreg_region *clear = parsed(), *beyond = NULL, *elsewhere = NULL;
+    const critreg_region *regions[CRITREG_MAX_REGIONS + 1];
+    const double *instances[CRITREG_MAX_REGIONS + 1];
+    const double unclear[2] = {(double)NAN, 0.0}, start = 0.5;
+    critreg_rng rng = critreg_rng_seed(3);
+    double theta = 77.0;
+    int32_t empty = 77;
+    size_t i;
+
+    OK(critreg_region_parse(apart, sizeof apart,
+                            "object start { x: length }\nparameter far in [0, 4]: length\n",
+                            "far >= start.x + 0.5", &beyond));
+    OK(critreg_region_parse(longer, sizeof longer, "parameter far in [0, 5]: length\n",
+                            "far >= 0.5", &elsewhere));
+    for (i = 0; i <= CRITREG_MAX_REGIONS; i++) {
+        regions[i] = clear;
+        instances[i] = WALLS + 2 * (i % 2);
+    }
+    regions[2] = beyond;
+    instances[2] = &start;
+    for (i = 0; i < 200; i++) {
+        /* Clear of the walls at 1 and 1.5, beyond 1, and at most 2. */
+        OK(critreg_sample_regions(regions, instances, 3, &rng, &theta));
+        EXPECT_TRUE((theta >= 1.15 && theta <= 1.35) || (theta >= 1.65 && theta <= 2.0));
+    }
+    OK(critreg_regions_are_empty(regions, instances, CRITREG_MAX_REGIONS, &empty));
+    EXPECT_TRUE(empty == 0);
+    theta = 77.0;
+    instances[2] = WALLS + 4;   /* beyond 3 */
+    EXPECT(CRITREG_EMPTY_REGION, critreg_sample_regions(regions, instances, 3, &rng, &theta));
+    OK(critreg_regions_are_empty(regions, instances, 3, &empty));
+    EXPECT_TRUE(empty == 1);
+
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_sample_regions(regions, instances, 0, &rng, &theta));
+    EXPECT(CRITREG_CAPACITY_EXCEEDED, critreg_sample_regions(regions, instances,
+                                                             CRITREG_MAX_REGIONS + 1, &rng, &theta));
+    EXPECT(CRITREG_NULL_POINTER, critreg_sample_regions(NULL, instances, 3, &rng, &theta));
+    EXPECT(CRITREG_NULL_POINTER, critreg_sample_regions(regions, NULL, 3, &rng, &theta));
+    EXPECT(CRITREG_NULL_POINTER, critreg_sample_regions(regions, instances, 3, NULL, &theta));
+    EXPECT(CRITREG_NULL_POINTER, critreg_sample_regions(regions, instances, 3, &rng, NULL));
+    EXPECT(CRITREG_MISALIGNED,
+           critreg_sample_regions(regions, instances, 3, &rng, ASKEW(double, &theta)));
+    EXPECT(CRITREG_NULL_POINTER, critreg_regions_are_empty(regions, instances, 3, NULL));
+    instances[2] = NULL;
+    EXPECT(CRITREG_NULL_POINTER, critreg_sample_regions(regions, instances, 3, &rng, &theta));
+    instances[1] = unclear;
+    EXPECT(CRITREG_NOT_FINITE, critreg_sample_regions(regions, instances, 2, &rng, &theta));
+    instances[1] = WALLS;
+    regions[1] = elsewhere;
+    EXPECT(CRITREG_MISMATCH, critreg_sample_regions(regions, instances, 2, &rng, &theta));
+    EXPECT_TRUE(theta == 77.0);
+}
+
+/* A region over the state: an action without parameters. */
+static void no_parameters(void)
+{
+    static const char state[] = "object wall { x: length, y: length }\n";
+    critreg_region *region = NULL;
+    critreg_rng rng = critreg_rng_seed(3);
+    double theta = 77.0;
+    size_t count = 77, i;
+    int32_t inside, empty;
+
+    OK(critreg_region_parse(memory, sizeof memory, state, "wall.x <= 1.5", &region));
+    OK(critreg_region_parameter_count(region, &count));
+    EXPECT_TRUE(count == 0);
+    for (i = 0; i < INSTANCES; i++) {
+        const double *instance = WALLS + 2 * i;
+        critreg_status expected = i < 2 ? CRITREG_OK : CRITREG_EMPTY_REGION;
+        const critreg_region *one = region;
+        OK(critreg_region_contains(region, instance, NULL, &inside));
+        OK(critreg_region_is_empty(region, instance, &empty));
+        EXPECT_TRUE(inside == (i < 2) && empty == !inside);
+        EXPECT(expected, critreg_sample_region(region, instance, &rng, NULL));
+        EXPECT(expected, critreg_sample_region(region, instance, &rng, &theta));
+        EXPECT(expected, critreg_sample_regions(&one, &instance, 1, &rng, NULL));
+    }
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_region_intervals(region, WALLS, NULL, 0, &count));
+    EXPECT_TRUE(theta == 77.0);
+}
+
+static void wrong_planning_in_the_environment(void)
+{
+    static const critreg_ground pick = {"picksTICKfromnothing", {"robby", "stick"}, 0, 2, {0}};
+    static const critreg_ground grasped = {"Grasped", {"robby", "Stick"}, 0, 2, {0}};
+    critreg_ground wrong[6];
+    const double mu[] = {0.1, (double)NAN};
+    double state[16], after[16];
+    uint32_t actions = 77, options = 2;
+    int32_t holds = 77;
+    size_t i;
+
+    EXPECT_TRUE(critreg_stick_button_state_len(2) == 16);
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_stick_button_task(1, 0, 0, state, 16));
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_stick_button_task(1, 0, 11, state, 16));
+    EXPECT(CRITREG_TOO_SMALL, critreg_stick_button_task(1, 0, 2, state, 15));
+    OK(critreg_stick_button_task(1, 0, 2, state, 16));
+    for (i = 0; i < 6; i++)
+        wrong[i] = pick;
+    wrong[0].name = "Grasped";
+    wrong[1].name = NULL;
+    wrong[2].object_names[1] = "button2";
+    wrong[3].object_names[0] = "stick";
+    wrong[4].object_count = 1;
+    wrong[5].object_count = CRITREG_MAX_ARGUMENTS + 1;
+    for (i = 0; i < 6; i++)
+        EXPECT(i == 1 ? CRITREG_NULL_POINTER : CRITREG_INVALID_ARGUMENT,
+               critreg_stick_button_execute(NULL, &wrong[i], mu, state, after, 16, &actions));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_stick_button_execute(&options, &pick, mu, state, after, 16, &actions));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_stick_button_execute(NULL, &pick, mu, state, after, 15, &actions));
+    EXPECT(CRITREG_NOT_FINITE,
+           critreg_stick_button_execute(NULL, &pick, mu + 1, state, after, 16, &actions));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_stick_button_execute(NULL, NULL, mu, state, after, 16, &actions));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_stick_button_execute(NULL, &pick, NULL, state, after, 16, &actions));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_stick_button_execute(NULL, &pick, mu, NULL, after, 16, &actions));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_stick_button_execute(NULL, &pick, mu, state, NULL, 16, &actions));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_stick_button_execute(NULL, &pick, mu, state, after, 16, NULL));
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_stick_button_holds(NULL, &pick, state, 16, &holds));
+    EXPECT(CRITREG_NULL_POINTER, critreg_stick_button_holds(NULL, &grasped, state, 16, NULL));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_stick_button_holds(NULL, &grasped, state, 14, &holds));
+    EXPECT_TRUE(actions == 77 && holds == 77);
+    OK(critreg_stick_button_execute(NULL, &pick, mu, state, after, 16, &actions));
+    OK(critreg_stick_button_holds(NULL, &grasped, state, 16, &holds));
+    EXPECT_TRUE(holds == 0);
+    OK(critreg_stick_button_holds(NULL, &grasped, after, 16, &holds));
+    EXPECT_TRUE(holds == (actions > 0));
+    state[3] = (double)NAN;
+    EXPECT(CRITREG_NOT_FINITE, critreg_stick_button_holds(NULL, &grasped, state, 16, &holds));
+}
+
 static void words_for_every_status(void)
 {
     critreg_status status;
     EXPECT_TRUE(critreg_abi_version() == CRITREG_ABI_VERSION);
     for (status = -2; status < 20; status++) {
-        int known = status >= CRITREG_OK && status <= CRITREG_NOT_A_HANDLE;
+        int known = status >= CRITREG_OK && status <= CRITREG_NO_PLAN;
         EXPECT_TRUE((strcmp(critreg_strerror(status), "unknown status") != 0) == known);
         EXPECT_TRUE((strcmp(critreg_status_name(status), "unknown") != 0) == known);
     }
@@ -367,6 +512,9 @@ int main(void)
     text_and_bytes();
     wrong_questions();
     generator_and_environment();
+    wrong_intersections();
+    no_parameters();
+    wrong_planning_in_the_environment();
     words_for_every_status();
     return summary();
 }

@@ -4,7 +4,13 @@
 #[path = "../c/support.rs"]
 mod support;
 
+use critreg::domain::Environment;
+use critreg::plan::{Conclusion, Config, Planner, Unguided};
+use critreg::random::generator;
+use critreg_tests::pick::ENVIRONMENT;
+use critreg_tests::plan::{Grounding, Room};
 use std::collections::BTreeSet;
+use std::fmt::Write as _;
 use std::fs;
 use std::process::Command;
 use support::{BOTH, compile, library_directory, root, run};
@@ -39,6 +45,16 @@ fn wrong_regions() {
 }
 
 #[test]
+fn wrong_planners() {
+    passes("misuse_planner", &["misuse_planner.c"]);
+}
+
+#[test]
+fn wrong_planning() {
+    passes("misuse_planning", &["misuse_planning.c"]);
+}
+
+#[test]
 fn groups_of_any_number() {
     passes("groups", &["groups.c"]);
 }
@@ -51,6 +67,61 @@ fn chains_noise_and_certificates() {
 #[test]
 fn two_translation_units_include_the_header() {
     passes("two_units", &["two_units_main.c", "two_units_other.c"]);
+}
+
+/// A C program that plans from PDDL and callbacks finds the plans of the core, in as
+/// many steps of the search.
+#[test]
+fn a_c_program_plans_as_the_core_does() {
+    let source = root().join("tests/c/planning.c");
+    let expected: String = (0..40).map(planned_by_the_core).collect();
+    for language in BOTH {
+        let program = compile("planning", std::slice::from_ref(&source), language);
+        let output = run(&mut Command::new(program));
+        assert_eq!(String::from_utf8(output.stdout).unwrap(), expected);
+    }
+}
+
+/// What the program prints of a task.
+fn planned_by_the_core(seed: u64) -> String {
+    let buttons = 1 + seed as usize % 4;
+    let task = ENVIRONMENT.task(buttons..=buttons, &mut generator(seed));
+    let task = task.unwrap();
+    let grounding = Grounding::new(&task).unwrap();
+    let mut room = Room::new(10_000);
+    let mut planner = Planner {
+        world: &mut grounding.simulated(),
+        sampler: &mut grounding.simulated(),
+        guide: &mut Unguided,
+        config: Config::default(),
+    };
+    let (lots, samples) = (generator(seed), || generator(seed));
+    let planned = planner.plan(grounding.task(), &task.initial, lots, samples, room.lend());
+    let planned = planned.unwrap();
+    let m = &planned.metrics;
+    let mut line = format!(
+        "{seed}: {} {} {} {} {} {}",
+        i32::from(planned.conclusion == Conclusion::Solved),
+        m.samples,
+        m.skeletons,
+        m.nodes_expanded,
+        m.nodes_created,
+        m.actions
+    );
+    for step in planned.steps {
+        let ground = &grounding.operators[usize::from(step.operator)];
+        let name = ENVIRONMENT.operators()[usize::from(ground.operator.0)].name;
+        write!(line, " ({name}").unwrap();
+        for object in ground.objects.as_slice() {
+            let name = task.initial.name(ENVIRONMENT.types(), *object).unwrap();
+            write!(line, " {name}").unwrap();
+        }
+        line.push(')');
+        for parameter in &step.parameters {
+            write!(line, " {}", parameter.to_bits()).unwrap();
+        }
+    }
+    line + "\n"
 }
 
 /// The functions that the header declares.
@@ -72,7 +143,7 @@ fn declared() -> BTreeSet<String> {
 #[test]
 fn the_library_exports_what_the_header_declares() {
     let declared = declared();
-    assert!(declared.len() > 30, "{declared:?}");
+    assert!(declared.len() > 50, "{declared:?}");
     let library = library_directory().join("libcritreg_ffi.so");
     if !library.exists() {
         // Another system than Linux, which names and inspects libraries its own way.

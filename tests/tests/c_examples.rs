@@ -50,7 +50,7 @@ fn pick_stick_reports_both_learners() {
     assert!(number(sound, "feasibility rate") > 0.99, "{sound}");
     assert!(number(sound, "coverage") > 0.95, "{sound}");
     for part in [
-        "region: grasp.y <= 2.9 (",
+        "grasp.y <= 2.9 (zone.top - robot.radius)",
         "constraint 2: ",
         "feasible to S = ",
         "certificate: 10 of 10 draws",
@@ -91,6 +91,48 @@ fn ask_tell_resumes_to_the_same_region() {
 }
 
 #[test]
+fn plan_tasks_is_better_with_learned_regions() {
+    let outputs = BOTH.map(|language| output_of("plan_tasks.c", language, &[]));
+    let [rows, as_cpp] = outputs.each_ref().map(|output| {
+        let rows = output.lines().filter(|line| line.starts_with("tests: "));
+        let rows = rows.map(|row| row.split_once(", time_us_mean: ").unwrap().0);
+        rows.collect::<Vec<_>>()
+    });
+    assert_eq!(rows, as_cpp);
+    for tests in ["1 button", "3 or 4 buttons"] {
+        let row = |sampler: &str| {
+            let start = format!("tests: {tests}, sampler: {sampler}, ");
+            rows.iter().find(|row| row.starts_with(&start)).unwrap()
+        };
+        let [original, learned] = ["original", "learned"].map(row);
+        assert!(learned.contains("solved: 50/50"), "{learned}");
+        let samples = number(learned, "samples_mean");
+        assert!(samples < 1.1 * number(learned, "plan_length_mean"));
+        assert!(number(original, "samples_mean") > 5.0 * samples);
+    }
+    assert!(outputs[0].contains("region of pressing by hand: button.y <= 2.9 ("));
+}
+
+/// The program in the chapter on planning of the manual.
+#[test]
+fn the_manual_tells_the_truth_about_its_program() {
+    let header = std::fs::read_to_string(root().join("include/critreg.h")).unwrap();
+    let (_, chapter) = header.split_once(" * PLANNING\n").unwrap();
+    let (_, behind) = chapter.split_once(" A complete program:\n *\n").unwrap();
+    let (program, told) = behind.split_once(" * It prints ").unwrap();
+    let lines = program.lines().map(|line| line.get(7..).unwrap_or(""));
+    let source = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("manual.c");
+    std::fs::write(&source, lines.collect::<Vec<_>>().join("\n")).unwrap();
+    for language in BOTH {
+        let program = compile("manual", std::slice::from_ref(&source), language);
+        let output = run(&mut Command::new(program));
+        let printed = String::from_utf8(output.stdout).unwrap();
+        let quoted: Vec<_> = printed.lines().map(|line| format!("\"{line}\"")).collect();
+        assert!(told.starts_with(&quoted.join(" and ")), "{printed}");
+    }
+}
+
+#[test]
 fn from_cpp_tells_errors_as_exceptions() {
     let output = output_of("from_cpp.cpp", Language::Cpp17, &[]);
     for part in [
@@ -101,6 +143,10 @@ fn from_cpp_tells_errors_as_exceptions() {
         "written: opening >= peg.width + finger.gap",
         "[0.0700, 0.1000] 1000 draws, 1000 of them feasible",
         "peg of 0.095: 0 draws",
+        "an opening for two pegs: 0.0",
+        "plan with it: (Open peg) (Close peg) after 2 samples",
+        "stopped: cannot run (Open peg)",
+        "no plan: no sequence of up to max_length operators is left; Open failed most",
         "CRITREG_SYNTAX_ERROR: line 1, column 12: unknown name",
     ] {
         assert!(output.contains(part), "no {part} in {output}");

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 13] = [
+const SOURCES: [&str; 19] = [
     "status.rs",
     "memory.rs",
     "report.rs",
@@ -16,8 +16,14 @@ const SOURCES: [&str; 13] = [
     "constraint.rs",
     "sampling.rs",
     "rng.rs",
+    "planner_config.rs",
+    "planner.rs",
+    "planner_callbacks.rs",
+    "planning.rs",
+    "planner_metrics.rs",
     "check.rs",
     "stick_button.rs",
+    "stick_button_world.rs",
 ];
 
 fn root() -> PathBuf {
@@ -76,6 +82,34 @@ fn everything_is_documented() {
         );
         previous = line;
     }
+}
+
+/// What the manual says about the memory of a planner is true on machines with
+/// pointers of 64 bits.
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn the_memory_of_a_planner_is_true() {
+    use critreg_ffi::planner::critreg_planner_size;
+    use critreg_ffi::planner_config::critreg_planner_config_init;
+    let size = |state_len: u32| {
+        let mut config = std::mem::MaybeUninit::uninit();
+        // SAFETY: the pointer is to a variable of the size told, which is
+        // initialised when it succeeds.
+        let mut config = unsafe {
+            let len = size_of_val(&config);
+            assert_eq!(critreg_planner_config_init(config.as_mut_ptr(), len), 0);
+            config.assume_init()
+        };
+        config.state_len = state_len;
+        // SAFETY: it is a configuration.
+        unsafe { critreg_planner_size(&config) }
+    };
+    let each = size(2) - size(1);
+    let told = format!(
+        "A planner with the default capacities takes {} bytes, and {each} more for every",
+        size(1) - each
+    );
+    assert!(generated().contains(&told), "{told}");
 }
 
 /// The manual's table of how much memory a learner takes is true on machines with

@@ -105,6 +105,9 @@ impl Atoms {
 /// A set of ground atoms, such as an abstract state: one bit for each atom of
 /// [`Atoms`]. Sets of different tasks must not be mixed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+// A C program lends memory that is aligned for 64-bit words; and a node of a search
+// is a quarter smaller.
+#[repr(Rust, packed(8))]
 pub struct AtomSet(u128);
 
 impl AtomSet {

@@ -22,11 +22,10 @@ pub struct Config {
     /// Most samples, each of which runs a controller: the budget that stands for
     /// time, so that the same inputs always end in the same way.
     pub max_samples: u32,
-    /// How many nodes are expanded and samples drawn before postponed sequences are
-    /// taken for what they are: from then on nothing is postponed any more, and the
-    /// search is that without advice. So wrong advice to postpone costs about so
-    /// much, but no plan. (Waiting for all others could last forever: there is no
-    /// longest sequence.)
+    /// How many nodes are expanded and samples drawn with advice, of which a guide
+    /// or a sampler is the source. If there is no plan by then, planning begins anew
+    /// without any, and so do the limits above. So wrong advice costs at most so
+    /// much, but never a plan.
     pub patience: u32,
 }
 
@@ -39,7 +38,7 @@ impl Default for Config {
             max_length: MAX_SKELETON,
             max_actions: 100,
             max_samples: 10_000,
-            patience: 256,
+            patience: 1024,
         }
     }
 }

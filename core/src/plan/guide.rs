@@ -12,8 +12,8 @@ pub struct ReasonId(pub u16);
 pub enum Advice {
     /// Go on with it.
     Keep,
-    /// Try everything else before, for a while: see
-    /// [`Config::patience`](super::Config::patience). The right advice from
+    /// Leave it out, with everything that begins with it, until
+    /// [`Config::patience`](super::Config::patience) ends. The right advice from
     /// knowledge that may be wrong.
     Postpone(ReasonId),
     /// Drop it, with everything that begins with it. For knowledge that is

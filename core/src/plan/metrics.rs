@@ -1,5 +1,6 @@
 //! What planning cost, and what stood in its way.
 
+use super::config::Config;
 use super::guide::ReasonId;
 use crate::domain::OperatorId;
 
@@ -17,12 +18,16 @@ pub struct Metrics<'m> {
     pub nodes_created: u32,
     /// Sequences that the guide pruned.
     pub pruned: u32,
-    /// Sequences that the guide postponed.
+    /// Sequences that the guide postponed: they were left out until patience ended.
     pub postponed: u32,
     /// Sequences that were not extended because of their length.
     pub cut_off: u32,
     /// Draws that ended with the sampler knowing that no parameters work.
     pub empty_draws: u32,
+    /// Draws in which the sampler knew where to draw.
+    pub informed_draws: u32,
+    /// If patience ended: what was spent until then. The limits count from there.
+    pub advised: Option<Spent>,
     /// Actions taken in the world; runs that failed without a result not counted.
     pub actions: u64,
     /// Operators in the plan.
@@ -31,6 +36,22 @@ pub struct Metrics<'m> {
     pub uncounted: u32,
     failures: &'m mut [u32],
     reasons: &'m mut [u32],
+}
+
+/// What of the limits of planning is spent.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Spent {
+    /// Samples.
+    pub samples: u32,
+    /// Skeletons.
+    pub skeletons: u32,
+}
+
+impl Spent {
+    /// Whether nothing of a limit is left.
+    pub(super) fn exceeds(self, config: &Config) -> bool {
+        self.samples >= config.max_samples || self.skeletons >= config.max_skeletons
+    }
 }
 
 impl<'m> Metrics<'m> {
@@ -66,6 +87,32 @@ impl<'m> Metrics<'m> {
     /// `None` if no reason was given.
     pub fn main_reason(&self) -> Option<ReasonId> {
         most(self.reasons).and_then(|place| u16::try_from(place).ok().map(ReasonId))
+    }
+
+    /// What of the limits is spent.
+    pub(super) fn spent(&self) -> Spent {
+        let before = self.advised.unwrap_or_default();
+        Spent {
+            samples: self.samples.saturating_sub(before.samples),
+            skeletons: self.skeletons.saturating_sub(before.skeletons),
+        }
+    }
+
+    /// Whether advice counts, and there was some.
+    pub(super) fn is_advised(&self) -> bool {
+        let advice = [self.postponed, self.empty_draws, self.informed_draws];
+        self.advised.is_none() && advice.iter().any(|count| *count > 0)
+    }
+
+    /// Whether it is time to go on without advice.
+    pub(super) fn is_patience_spent(&self, config: &Config) -> bool {
+        let effort = self.nodes_expanded.saturating_add(self.samples);
+        self.is_advised() && (effort >= config.patience || self.spent().exceeds(config))
+    }
+
+    /// From here on advice no longer counts.
+    pub(super) fn end_advice(&mut self) {
+        self.advised = Some(self.spent());
     }
 
     pub(super) fn fail(&mut self, OperatorId(operator): OperatorId) {

@@ -22,6 +22,9 @@
 //! sees, before anything is drawn, that a prefix cannot work. Both give a reason,
 //! so that there is an answer to "why was no plan found?".
 //!
+//! Knowledge may be wrong, so it has until [`Config::patience`] ends. Then planning
+//! begins anew without it: what can be solved without is solved.
+//!
 //! There is no clock. Budgets are counts and memory, so the same inputs always end
 //! in the same way, on every machine.
 //!
@@ -87,7 +90,7 @@ mod world;
 pub use config::Config;
 pub use guide::{Advice, Guide, ReasonId, Unguided};
 pub use heuristic::{Cached, Estimate, Estimator, Heuristic, HeuristicMemory, Progress, links};
-pub use metrics::Metrics;
+pub use metrics::{Metrics, Spent};
 pub use open::Waiting;
 pub use planner::{Conclusion, Memory, Planned, Planner};
 pub use refine::{Refinement, Refiner, Step};

@@ -5,8 +5,6 @@ use crate::error::Error;
 /// A node that waits. The least comes first: fields in order of importance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Waiting {
-    /// Whether everything else is tried before.
-    pub(super) postponed: bool,
     /// Cost so far and estimated cost to the goal.
     pub(super) priority: u32,
     /// Drawn by lot.
@@ -32,10 +30,6 @@ impl<'m> OpenList<'m> {
         self.slots.len().saturating_sub(self.used)
     }
 
-    pub(super) fn first(&self) -> Option<&Waiting> {
-        self.slots.get(..self.used)?.first()
-    }
-
     pub(super) fn push(&mut self, item: Waiting) -> Result<(), Error> {
         if self.room() == 0 {
             return Err(Error::CapacityExceeded("open list of the search"));
@@ -47,7 +41,7 @@ impl<'m> OpenList<'m> {
     }
 
     pub(super) fn pop(&mut self) -> Option<Waiting> {
-        let first = *self.first()?;
+        let first = *self.slots.get(..self.used)?.first()?;
         self.used = self.used.saturating_sub(1);
         if let Some(last) = self.slots.get(self.used).copied() {
             self.sink(0, last);
@@ -55,16 +49,8 @@ impl<'m> OpenList<'m> {
         Some(first)
     }
 
-    /// Forgets what was postponed.
-    pub(super) fn release(&mut self) {
-        for item in self.slots.iter_mut().take(self.used) {
-            item.postponed = false;
-        }
-        for place in (0..self.used / 2).rev() {
-            if let Some(item) = self.slots.get(place).copied() {
-                self.sink(place, item);
-            }
-        }
+    pub(super) fn clear(&mut self) {
+        self.used = 0;
     }
 
     /// Puts an item where `place` is free, or above.
@@ -124,24 +110,22 @@ mod tests {
         let mut open = OpenList::new(&mut slots);
         let mut all: Vec<_> = (0..100)
             .map(|node| Waiting {
-                postponed: rng.next_u32() < u32::MAX / 4,
                 priority: rng.next_u32() % 8,
                 lot: rng.next_u64(),
                 node,
             })
             .collect();
-        for released in [false, true] {
+        for _ in 0..2 {
             for item in &all {
                 open.push(*item).unwrap();
             }
             assert!(open.push(Waiting::default()).is_err());
-            if released {
-                open.release();
-                all.iter_mut().for_each(|item| item.postponed = false);
-            }
             all.sort();
             let sorted: Vec<_> = core::iter::from_fn(|| open.pop()).collect();
             assert_eq!(sorted, all);
+            open.push(Waiting::default()).unwrap();
+            open.clear();
+            assert_eq!(open.pop(), None);
         }
     }
 }

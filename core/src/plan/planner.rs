@@ -70,7 +70,8 @@ pub struct Planner<'a, W, S, G> {
 impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
     /// Plans from a state, of which `task.initial` is the abstraction.
     ///
-    /// `lots` breaks ties in the search. `samples` makes the generator that the
+    /// `lots` breaks ties in the search, from the beginning again if patience ends.
+    /// `samples` makes the generator that the
     /// sampler draws from, anew for each skeleton: what is drawn for one does not
     /// depend on how many were refined before.
     ///
@@ -80,7 +81,7 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
         &mut self,
         task: AbstractTask<'m>,
         initial: &W::State,
-        lots: impl Rng,
+        lots: impl Rng + Clone,
         samples: impl FnMut() -> R,
         memory: Memory<'m, W::State>,
     ) -> Result<Planned<'m, W::State>, W::Error> {
@@ -107,7 +108,7 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
 
     fn search_then_sample<R: Rng>(
         &mut self,
-        search: &mut Search<'_, impl Rng>,
+        search: &mut Search<'_, impl Rng + Clone>,
         initial: &W::State,
         mut samples: impl FnMut() -> R,
         steps: &mut [Step<W::State>],
@@ -120,7 +121,11 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
             goal: search.task().goal,
             config: &self.config,
         };
-        while metrics.skeletons < self.config.max_skeletons {
+        loop {
+            let spent = metrics.spent().skeletons >= self.config.max_skeletons;
+            if spent && !metrics.is_advised() {
+                return Ok(Conclusion::SkeletonsSpent);
+            }
             let skeleton = match search.next_skeleton(self.guide, metrics) {
                 Ok(Some(skeleton)) => skeleton,
                 Ok(None) if metrics.cut_off > 0 => return Ok(Conclusion::LengthSpent),
@@ -129,7 +134,7 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
             };
             metrics.skeletons += 1;
             match refiner.refine(skeleton, &mut samples(), steps, metrics)? {
-                Refinement::Failed => {}
+                Refinement::Failed | Refinement::PatienceSpent => {}
                 Refinement::SamplesSpent => return Ok(Conclusion::SamplesSpent),
                 Refinement::TooLong => return Ok(Conclusion::Full("steps of a plan")),
                 Refinement::Done => {
@@ -138,7 +143,6 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
                 }
             }
         }
-        Ok(Conclusion::SkeletonsSpent)
     }
 }
 

@@ -34,6 +34,8 @@ pub enum Refinement {
     Failed,
     /// The samples are spent: [`Config::max_samples`].
     SamplesSpent,
+    /// It is time to plan without advice: [`Config::patience`].
+    PatienceSpent,
     /// The skeleton has more operators than the memory has steps.
     TooLong,
 }
@@ -80,7 +82,10 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
             let Some((done, [step, ..])) = steps.split_at_mut_checked(at) else {
                 break;
             };
-            if metrics.samples >= self.config.max_samples {
+            if metrics.is_patience_spent(self.config) {
+                return Ok(Refinement::PatienceSpent);
+            }
+            if metrics.spent().samples >= self.config.max_samples {
                 return Ok(Refinement::SamplesSpent);
             }
             let draw = Draw {
@@ -89,6 +94,7 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
                 operator,
                 state: done.last().map_or(self.initial, |step| &step.state),
                 attempt: step.tries + 1,
+                advised: metrics.advised.is_none(),
             };
             let actions = done.iter().map(|step| step.actions).sum();
             if self.try_step(&draw, step, actions, rng, metrics)? {
@@ -140,6 +146,10 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
         step.tries = draw.attempt;
         step.parameters = match self.sampler.sample(draw, rng)? {
             Drawn::Parameters(parameters) => parameters,
+            Drawn::Informed(parameters) => {
+                metrics.informed_draws += 1;
+                parameters
+            }
             Drawn::Empty(reason) => {
                 step.tries = step.max_tries;
                 metrics.empty_draws += 1;

@@ -45,6 +45,9 @@ pub struct SearchMemory<'m> {
 /// The sequences are a tree: two that lead to the same abstract state are two plan
 /// skeletons, of which perhaps only one can be refined. Priority is the length so
 /// far and the estimate; ties are broken by lot.
+///
+/// If there was advice and patience ends, the search begins anew without it, as if
+/// there had been none.
 #[derive(Debug)]
 pub struct Search<'m, T> {
     task: AbstractTask<'m>,
@@ -52,15 +55,14 @@ pub struct Search<'m, T> {
     nodes: Table<'m, SearchNode>,
     open: OpenList<'m>,
     lots: T,
+    /// The lots as they were in the beginning.
+    all_lots: T,
     /// The sequence at hand, as the places of its operators.
     path: Vec<u16, MAX_SKELETON>,
-    max_length: usize,
-    /// After how much effort what was postponed is released.
-    patience: u32,
-    released: bool,
+    config: Config,
 }
 
-impl<'m, T: Rng> Search<'m, T> {
+impl<'m, T: Rng + Clone> Search<'m, T> {
     /// A search that begins with the empty sequence. `lots` breaks ties, by one
     /// draw for each node.
     ///
@@ -79,18 +81,25 @@ impl<'m, T: Rng> Search<'m, T> {
             estimator: Estimator::new(config.heuristic, task, memory.heuristic)?,
             nodes: Table::new(memory.nodes, "nodes of the search"),
             open: OpenList::new(memory.open),
+            all_lots: lots.clone(),
             lots,
             path: Vec::new(),
-            max_length: config.max_length.min(MAX_SKELETON),
-            patience: config.patience,
-            released: false,
+            config: *config,
         };
+        search.begin(metrics)?;
+        Ok(search)
+    }
+
+    /// Begins with the empty sequence.
+    fn begin(&mut self, metrics: &mut Metrics<'_>) -> Result<(), Error> {
+        self.nodes.clear();
+        self.open.clear();
+        self.lots = self.all_lots.clone();
         let root = SearchNode {
-            state: task.initial,
+            state: self.task.initial,
             ..SearchNode::default()
         };
-        search.create(root, metrics)?;
-        Ok(search)
+        self.create(root, metrics)
     }
 
     /// The task.
@@ -99,51 +108,61 @@ impl<'m, T: Rng> Search<'m, T> {
     }
 
     /// The next sequence of operators that reaches the goal; in the order of their
-    /// lengths if the heuristic is never too high and nothing was postponed.
+    /// lengths if the heuristic is never too high, apart from a new beginning.
     /// `None` if there is no other up to [`Config::max_length`].
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`] if the memory is full. The search stays as it was
-    /// before the node that found no room.
+    /// [`Error::CapacityExceeded`] if the memory is full, without advice. The search
+    /// stays as it was before the node that found no room.
     pub fn next_skeleton<G: Guide>(
         &mut self,
         guide: &mut G,
         metrics: &mut Metrics<'_>,
     ) -> Result<Option<Skeleton<'_>>, Error> {
-        while let Some(waiting) = self.pop(metrics) {
+        while let Some(waiting) = self.pop(metrics)? {
             let Some(node) = self.node(waiting.node) else {
                 break;
             };
             self.follow(node)?;
-            if !self.is_kept(waiting, guide, metrics)? {
+            if !self.is_kept(guide, metrics) {
                 continue;
             }
             if self.task.goal.is_subset(node.state) {
                 return Ok(Some(self.skeleton()));
             }
-            if usize::from(node.length) >= self.max_length {
+            if usize::from(node.length) >= self.config.max_length.min(MAX_SKELETON) {
                 metrics.cut_off += 1;
                 continue;
             }
-            if let Err(error) = self.check_room(node) {
-                self.open.push(waiting)?;
-                return Err(error);
+            match self.check_room(node) {
+                Ok(()) => self.expand(waiting.node, node, metrics)?,
+                Err(_) if metrics.is_advised() => self.begin_without_advice(metrics)?,
+                Err(error) => {
+                    self.open.push(waiting)?;
+                    return Err(error);
+                }
             }
-            self.expand(waiting.node, node, metrics)?;
         }
         Ok(None)
     }
 
-    /// Takes the first that waits. If that is a postponed one, or patience is at
-    /// its end, nothing is postponed any more.
-    fn pop(&mut self, metrics: &Metrics<'_>) -> Option<Waiting> {
-        let effort = metrics.nodes_expanded.saturating_add(metrics.samples);
-        let impatient = effort >= self.patience;
-        if !self.released && (impatient || self.open.first()?.postponed) {
-            self.released = true;
-            self.open.release();
+    /// Takes the first that waits. If patience is at its end, or nothing else is left,
+    /// that is the empty sequence again.
+    fn pop(&mut self, metrics: &mut Metrics<'_>) -> Result<Option<Waiting>, Error> {
+        if metrics.is_patience_spent(&self.config) {
+            self.begin_without_advice(metrics)?;
         }
-        self.open.pop()
+        let first = self.open.pop();
+        if first.is_some() || !metrics.is_advised() {
+            return Ok(first);
+        }
+        self.begin_without_advice(metrics)?;
+        Ok(self.open.pop())
+    }
+
+    fn begin_without_advice(&mut self, metrics: &mut Metrics<'_>) -> Result<(), Error> {
+        metrics.end_advice();
+        self.begin(metrics)
     }
 
     fn node(&self, place: u32) -> Option<SearchNode> {
@@ -168,33 +187,20 @@ impl<'m, T: Rng> Search<'m, T> {
     }
 
     /// Whether to go on with the sequence at hand.
-    fn is_kept<G: Guide>(
-        &mut self,
-        waiting: Waiting,
-        guide: &mut G,
-        metrics: &mut Metrics<'_>,
-    ) -> Result<bool, Error> {
+    fn is_kept<G: Guide>(&mut self, guide: &mut G, metrics: &mut Metrics<'_>) -> bool {
         if self.path.is_empty() {
-            return Ok(true);
+            return true;
         }
-        match guide.judge(self.skeleton()) {
-            Advice::Postpone(reason) if !self.released => {
-                metrics.postponed += 1;
-                metrics.blame(reason);
-                let postponed = true;
-                self.open.push(Waiting {
-                    postponed,
-                    ..waiting
-                })?;
-                Ok(false)
+        let (count, reason) = match guide.judge(self.skeleton()) {
+            Advice::Postpone(reason) if metrics.advised.is_none() => {
+                (&mut metrics.postponed, reason)
             }
-            Advice::Keep | Advice::Postpone(_) => Ok(true),
-            Advice::Prune(reason) => {
-                metrics.pruned += 1;
-                metrics.blame(reason);
-                Ok(false)
-            }
-        }
+            Advice::Keep | Advice::Postpone(_) => return true,
+            Advice::Prune(reason) => (&mut metrics.pruned, reason),
+        };
+        *count += 1;
+        metrics.blame(reason);
+        false
     }
 
     /// Whether all children of a node find room.
@@ -241,7 +247,6 @@ impl<'m, T: Rng> Search<'m, T> {
         let place = u32::try_from(self.nodes.len());
         self.nodes.push(node)?;
         self.open.push(Waiting {
-            postponed: false,
             priority: u32::from(node.length).saturating_add(cost),
             lot,
             node: place.map_err(|_| Error::CapacityExceeded("nodes of the search"))?,

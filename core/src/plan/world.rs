@@ -57,6 +57,9 @@ pub struct Draw<'a, S> {
     pub state: &'a S,
     /// Which try of the step in this state it is, from one.
     pub attempt: u32,
+    /// Whether advice counts. Once it does not, a sampler draws as if it knew
+    /// nothing: see [`Config::patience`](super::Config::patience).
+    pub advised: bool,
 }
 
 /// What a sampler says.
@@ -64,7 +67,9 @@ pub struct Draw<'a, S> {
 pub enum Drawn {
     /// Try these.
     Parameters(Parameters),
-    /// No parameters work in this state: step back at once.
+    /// Try these, from where they are expected to work. This is advice.
+    Informed(Parameters),
+    /// No parameters work in this state: step back at once. This is advice, too.
     Empty(ReasonId),
 }
 

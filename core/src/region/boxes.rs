@@ -1,6 +1,6 @@
 //! Branch and bound: which small boxes of parameters may hold some of a region.
 
-use super::ground::{Grounded, Vector};
+use super::parameters::{ParameterSet, Vector};
 use crate::error::Error;
 use crate::real::Real;
 
@@ -51,7 +51,7 @@ impl BoxSearch {
     /// The next smallest box, as its corners, that may hold some of the region.
     pub(super) fn next<R: Real>(
         &mut self,
-        region: &Grounded<'_, R>,
+        region: &impl ParameterSet<R>,
     ) -> Result<Option<Corners<R>>, Error> {
         while !self.complete && self.boxes < MAX_BOXES {
             self.boxes += 1;
@@ -81,7 +81,7 @@ impl BoxSearch {
     }
 
     /// The box at the end of the path: the relevant parameters are halved in turn.
-    fn corners<R: Real>(&self, region: &Grounded<'_, R>) -> Corners<R> {
+    fn corners<R: Real>(&self, region: &impl ParameterSet<R>) -> Corners<R> {
         let (mut low, mut high) = region.bounds();
         let relevant = region.relevant();
         let mut left = relevant;

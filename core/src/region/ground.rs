@@ -1,8 +1,9 @@
 //! A region in one problem instance.
 
+use super::Region;
 use super::interval::IntervalSet;
+use super::parameters::{ParameterSet, Vector, single};
 use super::slice::slice;
-use super::{Region, Theta};
 use crate::domain::{Arithmetic, Domain, MAX_PARAMETERS, Parameter, Range, Scene};
 use crate::error::Error;
 use crate::grammar::{Comparison, Truth};
@@ -21,9 +22,6 @@ pub struct Grounded<'a, R> {
 /// Most points that the constraints of a region refer to, with the points these
 /// are placed in, those of every member of a group counted.
 pub const MAX_REGION_POINTS: usize = 32;
-
-/// A vector in the space of parameters.
-pub(super) type Vector<R> = [R; MAX_PARAMETERS];
 
 impl<'a, R: Real> Grounded<'a, R> {
     pub(super) fn new(
@@ -65,14 +63,8 @@ impl<'a, R: Real> Grounded<'a, R> {
         )
     }
 
-    /// The parameters of the action.
-    pub(super) fn parameters(&self) -> &'a [Parameter<'a>] {
+    fn parameters(&self) -> &'a [Parameter<'a>] {
         self.domain.parameters()
-    }
-
-    /// A bit for each parameter that the region depends on.
-    pub(super) fn relevant(&self) -> u32 {
-        self.region.relevant
     }
 
     /// Whether the region admits these parameters; one number each.
@@ -92,20 +84,6 @@ impl<'a, R: Real> Grounded<'a, R> {
         self.admits(&values)
     }
 
-    /// As [`Grounded::contains`], for checked parameters inside their ranges.
-    pub(super) fn admits(&self, theta: &Vector<R>) -> Result<bool, Error> {
-        let [first, ..] = theta;
-        if self.parameters().len() == 1 && self.set.is_exact() {
-            return Ok(self.set.contains(*first));
-        }
-        let sample = self.scene.sample::<R>(theta);
-        let nodes = self.region.formula.nodes();
-        Ok(self.region.formula.holds(|c| {
-            let left = sample.measure(nodes, c.left);
-            c.comparison.holds(&left, &sample.measure(nodes, c.right))
-        }))
-    }
-
     /// The admitted values of the action's only parameter, exactly.
     ///
     /// Where a constraint has no closed form (a turn by the parameter, a sum of
@@ -121,10 +99,44 @@ impl<'a, R: Real> Grounded<'a, R> {
             )),
         }
     }
+}
 
-    /// Sets `set` to the admitted positions between two ends on the line
-    /// `origin + t * direction`.
-    pub(super) fn slice(
+impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
+    fn count(&self) -> usize {
+        self.parameters().len()
+    }
+
+    fn relevant(&self) -> u32 {
+        self.region.relevant
+    }
+
+    fn bounds(&self) -> (Vector<R>, Vector<R>) {
+        let (mut low, mut high) = ([R::ZERO; MAX_PARAMETERS], [R::ZERO; MAX_PARAMETERS]);
+        for ((low, high), p) in low.iter_mut().zip(&mut high).zip(self.parameters()) {
+            *low = R::from_f64(p.low);
+            *high = R::from_f64(p.high);
+        }
+        (low, high)
+    }
+
+    fn admits(&self, theta: &Vector<R>) -> Result<bool, Error> {
+        let [first, ..] = theta;
+        if self.parameters().len() == 1 && self.set.is_exact() {
+            return Ok(self.set.contains(*first));
+        }
+        let sample = self.scene.sample::<R>(theta);
+        let nodes = self.region.formula.nodes();
+        Ok(self.region.formula.holds(|c| {
+            let left = sample.measure(nodes, c.left);
+            c.comparison.holds(&left, &sample.measure(nodes, c.right))
+        }))
+    }
+
+    fn set(&self) -> &IntervalSet<R> {
+        &self.set
+    }
+
+    fn slice(
         &self,
         line: [&Vector<R>; 2],
         ends: [R; 2],
@@ -133,8 +145,7 @@ impl<'a, R: Real> Grounded<'a, R> {
         slice(self.region, &self.scene, line, ends, set)
     }
 
-    /// Whether it is proven that no parameters in a box are admitted.
-    pub(super) fn excludes(&self, low: &Vector<R>, high: &Vector<R>) -> Result<bool, Error> {
+    fn excludes(&self, low: &Vector<R>, high: &Vector<R>) -> Result<bool, Error> {
         let mut theta = [Range::constant(R::ZERO); MAX_PARAMETERS];
         for ((range, low), high) in theta.iter_mut().zip(low).zip(high) {
             *range = Range {
@@ -151,29 +162,6 @@ impl<'a, R: Real> Grounded<'a, R> {
         });
         Ok(!truth.may_hold)
     }
-
-    /// The corners of the box of all parameters.
-    pub(super) fn bounds(&self) -> (Vector<R>, Vector<R>) {
-        let (mut low, mut high) = ([R::ZERO; MAX_PARAMETERS], [R::ZERO; MAX_PARAMETERS]);
-        for ((low, high), p) in low.iter_mut().zip(&mut high).zip(self.parameters()) {
-            *low = R::from_f64(p.low);
-            *high = R::from_f64(p.high);
-        }
-        (low, high)
-    }
-}
-
-/// The vector of the only parameter.
-pub(super) fn single<R: Real>(value: R) -> Vector<R> {
-    let mut vector = [R::ZERO; MAX_PARAMETERS];
-    let [first, ..] = &mut vector;
-    *first = value;
-    vector
-}
-
-/// The parameters as the caller knows them.
-pub(super) fn to_theta<R: Real>(theta: &Vector<R>) -> Theta {
-    theta.map(R::to_f64)
 }
 
 /// Whether `gap comparison 0` over a range, leaving room for rounding.

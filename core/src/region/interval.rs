@@ -35,6 +35,28 @@ impl<R: Real> Interval<R> {
         let below = value < self.high || (self.high_closed && value == self.high);
         above && below
     }
+
+    /// The numbers that belong to both, if there are any.
+    pub fn intersection(&self, other: &Interval<R>) -> Option<Interval<R>> {
+        let starts_later = self.low > other.low || (self.low == other.low && !self.low_closed);
+        let later = if starts_later { self } else { other };
+        let ending = if self.ends_before(other) { self } else { other };
+        let shared = Interval {
+            low: later.low,
+            high: ending.high,
+            low_closed: later.low_closed,
+            high_closed: ending.high_closed,
+        };
+        let point = shared.low_closed && shared.high_closed;
+        let some = shared.low < shared.high || (shared.low == shared.high && point);
+        some.then_some(shared)
+    }
+
+    /// Whether numbers of the other one lie above all of this one, or both end alike.
+    fn ends_before(&self, other: &Interval<R>) -> bool {
+        let alike = self.high_closed == other.high_closed || other.high_closed;
+        self.high < other.high || (self.high == other.high && alike)
+    }
 }
 
 /// A set of numbers as sorted intervals that do not touch.
@@ -114,19 +136,38 @@ impl<R: Real> IntervalSet<R> {
         })
     }
 
+    /// The numbers that belong to both sets.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if it has more intervals than there is room for.
+    pub fn intersection(&self, other: &IntervalSet<R>) -> Result<IntervalSet<R>, Error> {
+        let mut both = IntervalSet {
+            intervals: Vec::new(),
+            exact: self.exact && other.exact,
+        };
+        let (mut own, mut others) = (self.intervals.iter(), other.intervals.iter());
+        let (mut a, mut b) = (own.next(), others.next());
+        while let (Some(first), Some(second)) = (a, b) {
+            if let Some(shared) = first.intersection(second) {
+                both.push(shared)?;
+            }
+            // What ends first meets nothing further of the other set.
+            if first.ends_before(second) {
+                a = own.next();
+            } else {
+                b = others.next();
+            }
+        }
+        Ok(both)
+    }
+
     /// Forgets all intervals, to be filled again.
     fn reset(&mut self, exact: bool) {
         self.intervals.clear();
         self.exact = exact;
     }
 
-    fn push(&mut self, low: R, high: R, low_closed: bool, high_closed: bool) -> Result<(), Error> {
-        let interval = Interval {
-            low,
-            high,
-            low_closed,
-            high_closed,
-        };
+    fn push(&mut self, interval: Interval<R>) -> Result<(), Error> {
         self.intervals
             .push(interval)
             .map_err(|_| Error::CapacityExceeded("intervals of a region"))
@@ -151,13 +192,23 @@ impl<'s, R: Real> Builder<'s, R> {
     pub(super) fn step(&mut self, at: R, here: bool, after: bool) -> Result<(), Error> {
         match (self.open, here, after) {
             (None, _, true) => self.open = Some((at, here)),
-            (None, true, false) => self.set.push(at, at, true, true)?,
+            (None, true, false) => self.close((at, true), (at, true))?,
             (None, false, false) | (Some(_), true, true) => {}
-            (Some((low, closed)), _, _) => {
-                self.set.push(low, at, closed, here)?;
+            (Some(low), _, _) => {
+                self.close(low, (at, here))?;
                 self.open = after.then_some((at, here));
             }
         }
         Ok(())
+    }
+
+    /// Finishes an interval with these ends; each with whether it belongs to it.
+    fn close(&mut self, low: (R, bool), high: (R, bool)) -> Result<(), Error> {
+        self.set.push(Interval {
+            low: low.0,
+            high: high.0,
+            low_closed: low.1,
+            high_closed: high.1,
+        })
     }
 }

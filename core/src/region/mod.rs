@@ -5,18 +5,22 @@
 //! set of parameters. With one parameter it is a set of intervals in closed form,
 //! because every constraint of the grammar is a piecewise linear function or the
 //! root of a quadratic one along a line of parameters; with several, any line
-//! through it is. Sampling is uniform, see [`Grounded::sample`].
+//! through it is. Sampling is uniform, see [`Grounded::sample`]. An [`Intersection`]
+//! is what several regions admit at once.
 
 mod boxes;
 mod bytes;
 mod gaps;
 mod ground;
+mod intersection;
 mod interval;
+mod parameters;
 mod sample;
 mod slice;
 
 pub use bytes::SavedRegion;
 pub use ground::{Grounded, MAX_REGION_POINTS};
+pub use intersection::{Intersection, Part};
 pub use interval::{Interval, IntervalSet};
 
 use crate::domain::{Domain, MAX_PARAMETERS, PointSet};

@@ -1,9 +1,10 @@
-//! Drawing parameters from a grounded region.
+//! Drawing parameters from a grounded region, or from several at once.
 
 use super::Theta;
 use super::boxes::BoxSearch;
-use super::ground::{Grounded, Vector, single, to_theta};
+use super::ground::Grounded;
 use super::interval::IntervalSet;
+use super::parameters::{ParameterSet, Vector, single};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
 use crate::random::uniform;
@@ -32,19 +33,7 @@ impl<R: Real> Grounded<'_, R> {
     /// plan skeleton, or fall back on another sampler. [`Error::NoSample`] if
     /// nothing was found but emptiness could not be proven.
     pub fn sample(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Theta, Error> {
-        let found = match self.parameters() {
-            [] if self.is_proven_empty()? => return Err(Error::EmptyRegion),
-            [] => Some([R::ZERO; MAX_PARAMETERS]),
-            [_] => {
-                let set = self.intervals()?;
-                if set.is_empty() {
-                    return Err(Error::EmptyRegion);
-                }
-                self.draw_from(set, single, rng)?
-            }
-            _ => self.sample_several(rng)?,
-        };
-        found.map(|theta| to_theta(&theta)).ok_or(Error::NoSample)
+        sample(self, rng)
     }
 
     /// Whether it is proven that no parameters are admitted. With one parameter
@@ -54,121 +43,147 @@ impl<R: Real> Grounded<'_, R> {
     /// # Errors
     /// [`Error::CapacityExceeded`].
     pub fn is_proven_empty(&self) -> Result<bool, Error> {
-        match self.parameters() {
-            [] => return Ok(!self.admits(&[R::ZERO; MAX_PARAMETERS])?),
-            [_] => return Ok(self.intervals()?.is_empty()),
-            _ => {}
-        }
-        let mut search = BoxSearch::new(0);
-        Ok(search.next(self)?.is_none() && search.is_complete())
+        is_proven_empty(self)
     }
+}
 
-    /// A uniform position of a set along a line that is truly admitted: near the
-    /// ends rounding may decide otherwise, and a constraint without closed form
-    /// may object anywhere.
-    fn draw_from(
-        &self,
-        set: &IntervalSet<R>,
-        along: impl Fn(R) -> Vector<R>,
-        rng: &mut (impl Rng + ?Sized),
-    ) -> Result<Option<Vector<R>>, Error> {
-        for _ in 0..REJECTIONS {
-            let Some(t) = set.quantile(R::from_f64(uniform(rng))) else {
-                return Ok(None);
-            };
-            let theta = along(t);
-            if self.admits(&theta)? {
-                return Ok(Some(theta));
-            }
+/// Draws parameters of a set; see [`Grounded::sample`].
+pub(super) fn sample<R: Real>(
+    set: &impl ParameterSet<R>,
+    rng: &mut (impl Rng + ?Sized),
+) -> Result<Theta, Error> {
+    let found = match set.count() {
+        0 | 1 if is_proven_empty(set)? => return Err(Error::EmptyRegion),
+        0 => Some([R::ZERO; MAX_PARAMETERS]),
+        1 => draw_from(set, set.set(), single, rng)?,
+        _ => sample_several(set, rng)?,
+    };
+    let theta = found.ok_or(Error::NoSample)?;
+    Ok(theta.map(R::to_f64))
+}
+
+/// Whether it is proven that a set has no parameters; see
+/// [`Grounded::is_proven_empty`].
+pub(super) fn is_proven_empty<R: Real>(set: &impl ParameterSet<R>) -> Result<bool, Error> {
+    match set.count() {
+        0 => Ok(!set.admits(&[R::ZERO; MAX_PARAMETERS])?),
+        1 => Ok(set.set().is_empty()),
+        _ => {
+            let mut search = BoxSearch::new(0);
+            Ok(search.next(set)?.is_none() && search.is_complete())
         }
-        let half = R::from_f64(0.5);
-        for interval in set.intervals() {
-            let theta = along(interval.low + interval.length() * half);
-            if self.admits(&theta)? {
-                return Ok(Some(theta));
-            }
-        }
-        Ok(None)
     }
+}
 
-    fn sample_several(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Option<Vector<R>>, Error> {
-        let (low, high) = self.bounds();
-        for _ in 0..REJECTIONS {
-            let theta = self.inside(&low, &high, rng);
-            if self.admits(&theta)? {
-                return Ok(Some(theta));
-            }
+/// A uniform position of a set along a line that is truly admitted: near the
+/// ends rounding may decide otherwise, and a constraint without closed form
+/// may object anywhere.
+fn draw_from<R: Real>(
+    parameters: &impl ParameterSet<R>,
+    set: &IntervalSet<R>,
+    along: impl Fn(R) -> Vector<R>,
+    rng: &mut (impl Rng + ?Sized),
+) -> Result<Option<Vector<R>>, Error> {
+    for _ in 0..REJECTIONS {
+        let Some(t) = set.quantile(R::from_f64(uniform(rng))) else {
+            return Ok(None);
+        };
+        let theta = along(t);
+        if parameters.admits(&theta)? {
+            return Ok(Some(theta));
         }
-        // Too small to be hit: find small boxes that may hold some of it, in
-        // random order, and lay lines through them.
-        let mut search = BoxSearch::new(rng.next_u32());
-        for _ in 0..BOXES {
-            let Some((low, high)) = search.next(self)? else {
-                break;
-            };
-            for _ in 0..LINES {
-                let through = self.inside(&low, &high, rng);
-                if let Some(mut theta) = self.step(&through, rng)? {
-                    for _ in 0..STEPS_PER_PARAMETER * self.parameters().len() {
-                        theta = self.step(&theta, rng)?.unwrap_or(theta);
-                    }
-                    return Ok(Some(theta));
+    }
+    let half = R::from_f64(0.5);
+    for interval in set.intervals() {
+        let theta = along(interval.low + interval.length() * half);
+        if parameters.admits(&theta)? {
+            return Ok(Some(theta));
+        }
+    }
+    Ok(None)
+}
+
+fn sample_several<R: Real>(
+    parameters: &impl ParameterSet<R>,
+    rng: &mut (impl Rng + ?Sized),
+) -> Result<Option<Vector<R>>, Error> {
+    let (low, high) = parameters.bounds();
+    for _ in 0..REJECTIONS {
+        let theta = inside(parameters.count(), &low, &high, rng);
+        if parameters.admits(&theta)? {
+            return Ok(Some(theta));
+        }
+    }
+    // Too small to be hit: find small boxes that may hold some of it, in
+    // random order, and lay lines through them.
+    let mut search = BoxSearch::new(rng.next_u32());
+    for _ in 0..BOXES {
+        let Some((low, high)) = search.next(parameters)? else {
+            break;
+        };
+        for _ in 0..LINES {
+            let through = inside(parameters.count(), &low, &high, rng);
+            if let Some(mut theta) = step(parameters, &through, rng)? {
+                for _ in 0..STEPS_PER_PARAMETER * parameters.count() {
+                    theta = step(parameters, &theta, rng)?.unwrap_or(theta);
                 }
+                return Ok(Some(theta));
             }
         }
-        if search.found_nothing() {
-            return Err(Error::EmptyRegion);
-        }
-        Ok(None)
     }
+    if search.found_nothing() {
+        return Err(Error::EmptyRegion);
+    }
+    Ok(None)
+}
 
-    /// Uniform in a box.
-    fn inside(
-        &self,
-        low: &Vector<R>,
-        high: &Vector<R>,
-        rng: &mut (impl Rng + ?Sized),
-    ) -> Vector<R> {
-        let mut theta = *low;
-        for (value, high) in theta.iter_mut().zip(high).take(self.parameters().len()) {
-            *value += (*high - *value) * R::from_f64(uniform(rng));
+/// Uniform in a box.
+fn inside<R: Real>(
+    count: usize,
+    low: &Vector<R>,
+    high: &Vector<R>,
+    rng: &mut (impl Rng + ?Sized),
+) -> Vector<R> {
+    let mut theta = *low;
+    for (value, high) in theta.iter_mut().zip(high).take(count) {
+        *value += (*high - *value) * R::from_f64(uniform(rng));
+    }
+    theta
+}
+
+/// An admitted point on a random line through a point.
+fn step<R: Real>(
+    parameters: &impl ParameterSet<R>,
+    through: &Vector<R>,
+    rng: &mut (impl Rng + ?Sized),
+) -> Result<Option<Vector<R>>, Error> {
+    let mut direction = [R::ZERO; MAX_PARAMETERS];
+    let (low, high) = parameters.bounds();
+    let sizes = low.iter().zip(&high).take(parameters.count());
+    for (value, (low, high)) in direction.iter_mut().zip(sizes) {
+        *value = (*high - *low) * R::from_f64(2.0 * uniform(rng) - 1.0);
+    }
+    let (mut first, mut last) = (-R::INFINITY, R::INFINITY);
+    let ranges = low.iter().zip(&high).zip(through.iter().zip(&direction));
+    for ((low, high), (at, slope)) in ranges {
+        if *slope != R::ZERO {
+            let (a, b) = ((*low - *at) / *slope, (*high - *at) / *slope);
+            first = first.max(a.min(b));
+            last = last.min(a.max(b));
+        }
+    }
+    if !(first.is_finite() && last.is_finite() && first < last) {
+        return Ok(None);
+    }
+    let mut set = IntervalSet::default();
+    parameters.slice([through, &direction], [first, last], &mut set)?;
+    let along = |t: R| {
+        let mut theta = *through;
+        let moved = theta.iter_mut().zip(&direction).zip(low.iter().zip(&high));
+        for ((value, slope), (low, high)) in moved {
+            *value = (*value + *slope * t).clamp(*low, *high);
         }
         theta
-    }
-
-    /// An admitted point on a random line through a point.
-    fn step(
-        &self,
-        through: &Vector<R>,
-        rng: &mut (impl Rng + ?Sized),
-    ) -> Result<Option<Vector<R>>, Error> {
-        let mut direction = [R::ZERO; MAX_PARAMETERS];
-        for (value, p) in direction.iter_mut().zip(self.parameters()) {
-            *value = R::from_f64((p.high - p.low) * (2.0 * uniform(rng) - 1.0));
-        }
-        let (mut first, mut last) = (-R::INFINITY, R::INFINITY);
-        let (low, high) = self.bounds();
-        let ranges = low.iter().zip(&high).zip(through.iter().zip(&direction));
-        for ((low, high), (at, slope)) in ranges {
-            if *slope != R::ZERO {
-                let (a, b) = ((*low - *at) / *slope, (*high - *at) / *slope);
-                first = first.max(a.min(b));
-                last = last.min(a.max(b));
-            }
-        }
-        if !(first.is_finite() && last.is_finite() && first < last) {
-            return Ok(None);
-        }
-        let mut set = IntervalSet::default();
-        self.slice([through, &direction], [first, last], &mut set)?;
-        let along = |t: R| {
-            let mut theta = *through;
-            let moved = theta.iter_mut().zip(&direction).zip(low.iter().zip(&high));
-            for ((value, slope), (low, high)) in moved {
-                *value = (*value + *slope * t).clamp(*low, *high);
-            }
-            theta
-        };
-        self.draw_from(&set, along, rng)
-    }
+    };
+    draw_from(parameters, &set, along, rng)
 }

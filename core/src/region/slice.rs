@@ -1,8 +1,8 @@
 //! What a region admits along a line of parameters, exactly.
 
 use super::gaps::{Along, Gaps};
-use super::ground::Vector;
 use super::interval::{Builder, IntervalSet, MAX_BREAKS};
+use super::parameters::Vector;
 use super::{MAX_REGION_POINTS, Region};
 use crate::domain::{Arithmetic, Curve, Line, MAX_PARAMETERS, Scene};
 use crate::error::Error;

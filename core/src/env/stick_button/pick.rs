@@ -51,21 +51,12 @@ pub(super) fn pick(
 }
 
 pub(super) fn instance_state(instance: &[f64]) -> Result<State, Error> {
-    const WRONG: Error =
-        Error::InvalidArgument("an instance has 13 numbers: robot, stick, holder and one button");
-    let (robot, rest) = instance.split_first_chunk().ok_or(WRONG)?;
-    let (stick, rest) = rest.split_first_chunk().ok_or(WRONG)?;
-    let (holder, rest) = rest.split_first_chunk().ok_or(WRONG)?;
-    let (buttons @ [_], []) = rest.as_chunks() else {
-        return Err(WRONG);
-    };
-    let world = World {
-        robot,
-        stick,
-        holder,
-        buttons,
-    };
-    world.to_state()
+    World::read(instance)
+        .filter(|world| world.buttons.len() == 1)
+        .ok_or(Error::InvalidArgument(
+            "an instance has 13 numbers: robot, stick, holder and one button",
+        ))?
+        .to_state()
 }
 
 #[cfg(test)]

@@ -27,7 +27,12 @@ pub struct World<'a> {
 impl<'a> World<'a> {
     /// Reads a state; `None` if it does not belong to this environment.
     pub fn of(state: &'a State) -> Option<Self> {
-        let (robot, rest) = state.values().split_first_chunk()?;
+        World::read(state.values())
+    }
+
+    /// Reads the numbers of a state; `None` if they are none.
+    pub fn read(values: &'a [f64]) -> Option<Self> {
+        let (robot, rest) = values.split_first_chunk()?;
         let (stick, rest) = rest.split_first_chunk()?;
         let (holder, rest) = rest.split_first_chunk()?;
         let (buttons, []) = rest.as_chunks() else {

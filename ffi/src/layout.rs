@@ -3,7 +3,7 @@
 use crate::any::{AnyLearner, Capacity};
 use crate::config::critreg_config;
 use crate::learner::critreg_learner;
-use crate::memory::{DomainPlan, Part, Planner, append};
+use crate::memory::{DomainLayout, Packer, Part, append};
 use crate::region::critreg_region;
 use crate::status::Fallible;
 use critreg_core::domain::{Domain, Node};
@@ -11,10 +11,10 @@ use critreg_core::learn::version_space::{self, Cover, Sample, Span, VersionSpace
 use critreg_core::learn::{self, Algorithm1, Bounds, Observation};
 
 /// The parts of a learner.
-pub(crate) struct LearnerPlan {
+pub(crate) struct LearnerLayout {
     pub(crate) handle: Part<critreg_learner>,
     pub(crate) region: Part<critreg_region>,
-    pub(crate) domain: DomainPlan,
+    pub(crate) domain: DomainLayout,
     tables: Tables,
     pub(crate) size: usize,
 }
@@ -49,14 +49,14 @@ struct VersionSpaceTables {
 }
 
 impl Algorithm1Tables {
-    const fn new(planner: &mut Planner, capacity: learn::Capacity) -> Option<Self> {
+    const fn new(packer: &mut Packer, capacity: learn::Capacity) -> Option<Self> {
         Some(Algorithm1Tables {
             capacity,
-            features: append!(planner, capacity.features()),
-            values: append!(planner, capacity.features()),
-            bounds: append!(planner, capacity.lefts()),
-            observations: append!(planner, capacity.observations),
-            pairs: append!(planner, capacity.pairs()),
+            features: append!(packer, capacity.features()),
+            values: append!(packer, capacity.features()),
+            bounds: append!(packer, capacity.lefts()),
+            observations: append!(packer, capacity.observations),
+            pairs: append!(packer, capacity.pairs()),
         })
     }
 }
@@ -67,7 +67,7 @@ const fn times(left: usize, right: usize) -> usize {
 }
 
 impl VersionSpaceTables {
-    const fn new(planner: &mut Planner, capacity: version_space::Capacity) -> Option<Self> {
+    const fn new(packer: &mut Packer, capacity: version_space::Capacity) -> Option<Self> {
         // The products of the capacity are computed once they cannot overflow.
         let words = times(capacity.forms, capacity.observations.div_ceil(64));
         let most = [
@@ -81,46 +81,46 @@ impl VersionSpaceTables {
         }
         Some(VersionSpaceTables {
             capacity,
-            features: append!(planner, capacity.features()),
-            values: append!(planner, capacity.features()),
-            instances: append!(planner, capacity.instance_values()),
-            spans: append!(planner, capacity.spans()),
-            bits: append!(planner, capacity.bits()),
-            rows: append!(planner, capacity.rows()),
-            covers: append!(planner, capacity.covers()),
-            observations: append!(planner, capacity.observations),
-            samples: append!(planner, capacity.observations),
-            columns: append!(planner, capacity.features()),
+            features: append!(packer, capacity.features()),
+            values: append!(packer, capacity.features()),
+            instances: append!(packer, capacity.instance_values()),
+            spans: append!(packer, capacity.spans()),
+            bits: append!(packer, capacity.bits()),
+            rows: append!(packer, capacity.rows()),
+            covers: append!(packer, capacity.covers()),
+            observations: append!(packer, capacity.observations),
+            samples: append!(packer, capacity.observations),
+            columns: append!(packer, capacity.features()),
         })
     }
 }
 
-impl LearnerPlan {
-    pub(crate) const fn new(capacity: Capacity) -> Option<LearnerPlan> {
-        let mut planner = Planner { size: 0 };
-        let handle = append!(planner, 1);
-        let region = append!(planner, 1);
-        let Some(domain) = DomainPlan::new(&mut planner) else {
+impl LearnerLayout {
+    pub(crate) const fn new(capacity: Capacity) -> Option<LearnerLayout> {
+        let mut packer = Packer { size: 0 };
+        let handle = append!(packer, 1);
+        let region = append!(packer, 1);
+        let Some(domain) = DomainLayout::new(&mut packer) else {
             return None;
         };
         let tables = match capacity {
-            Capacity::Algorithm1(capacity) => match Algorithm1Tables::new(&mut planner, capacity) {
+            Capacity::Algorithm1(capacity) => match Algorithm1Tables::new(&mut packer, capacity) {
                 Some(tables) => Tables::Algorithm1(tables),
                 None => return None,
             },
             Capacity::VersionSpace(capacity) => {
-                match VersionSpaceTables::new(&mut planner, capacity) {
+                match VersionSpaceTables::new(&mut packer, capacity) {
                     Some(tables) => Tables::VersionSpace(tables),
                     None => return None,
                 }
             }
         };
-        Some(LearnerPlan {
+        Some(LearnerLayout {
             handle,
             region,
             domain,
             tables,
-            size: planner.size,
+            size: packer.size,
         })
     }
 
@@ -128,8 +128,8 @@ impl LearnerPlan {
     /// room in so many bytes.
     pub(crate) fn largest(bytes: usize, capacity: Capacity, most: usize) -> Capacity {
         let fits = |hypotheses| {
-            let plan = LearnerPlan::new(capacity.with_hypotheses(hypotheses));
-            plan.is_some_and(|plan| plan.size <= bytes)
+            let layout = LearnerLayout::new(capacity.with_hypotheses(hypotheses));
+            layout.is_some_and(|layout| layout.size <= bytes)
         };
         let (mut enough, mut too_many) = (0, most.saturating_add(1));
         while too_many.saturating_sub(enough) > 1 {
@@ -207,8 +207,8 @@ const fn promised(forms: usize, observations: usize, instances: usize, steps: us
 }
 
 const fn fits(capacity: Capacity, bytes: usize) -> bool {
-    match LearnerPlan::new(capacity) {
-        Some(plan) => plan.size <= bytes,
+    match LearnerLayout::new(capacity) {
+        Some(layout) => layout.size <= bytes,
         None => false,
     }
 }

@@ -1,0 +1,47 @@
+//! Sets of parameters, as drawing from them sees them.
+
+use super::interval::IntervalSet;
+use crate::domain::MAX_PARAMETERS;
+use crate::error::Error;
+use crate::real::Real;
+
+/// A vector in the space of parameters.
+pub(super) type Vector<R> = [R; MAX_PARAMETERS];
+
+/// What a region admits in an instance, or several regions together.
+pub(super) trait ParameterSet<R: Real> {
+    /// How many parameters the action has.
+    fn count(&self) -> usize;
+
+    /// A bit for each parameter that membership depends on.
+    fn relevant(&self) -> u32;
+
+    /// The corners of a box that holds the set.
+    fn bounds(&self) -> (Vector<R>, Vector<R>);
+
+    /// Whether parameters inside the box belong to the set.
+    fn admits(&self, theta: &Vector<R>) -> Result<bool, Error>;
+
+    /// The set itself if the action has one parameter, else nothing.
+    fn set(&self) -> &IntervalSet<R>;
+
+    /// Sets `set` to the admitted positions between two ends on the line
+    /// `origin + t * direction`.
+    fn slice(
+        &self,
+        line: [&Vector<R>; 2],
+        ends: [R; 2],
+        set: &mut IntervalSet<R>,
+    ) -> Result<(), Error>;
+
+    /// Whether it is proven that no parameters in a box are admitted.
+    fn excludes(&self, low: &Vector<R>, high: &Vector<R>) -> Result<bool, Error>;
+}
+
+/// The vector of the only parameter.
+pub(super) fn single<R: Real>(value: R) -> Vector<R> {
+    let mut vector = [R::ZERO; MAX_PARAMETERS];
+    let [first, ..] = &mut vector;
+    *first = value;
+    vector
+}

@@ -1,0 +1,265 @@
+//! Planning, and what comes of it.
+
+use crate::memory::CRITREG_MAX_PARAMETERS;
+use crate::planner::{Inner, critreg_planner, with_planner};
+use crate::planner_callbacks::{critreg_callbacks, critreg_ground};
+use crate::planner_layout::Tables;
+use crate::planner_metrics::{critreg_metrics, verdict};
+use crate::planner_world::{Advisor, Draws, Program};
+use crate::pointer;
+use crate::status::{Failure, Fallible, critreg_status, status_of};
+use crate::structs::{self, Versioned};
+use core::ffi::c_void;
+use critreg_core::Error;
+use critreg_core::domain::AtomSet;
+use critreg_core::plan::{AbstractTask, HeuristicMemory, Memory, Planner, SearchMemory};
+use critreg_core::random::generator;
+
+/// Plans from a state: first which operators, then with which parameters.
+///
+/// The search goes through sequences of operators that reach the goal in the
+/// abstract, from shorter to longer ones. Such a plan skeleton is refined step by
+/// step: parameters are drawn and execute() is called. A step works if it took an
+/// action and whatever the rest of the skeleton and the goal need of it holds; if
+/// its tries are spent, an earlier step is tried again. A skeleton that cannot be
+/// refined is followed by another one.
+///
+/// The state is the program's own: the planner copies it and passes it on, and
+/// never looks into it.
+///
+/// @param planner The planner.
+/// @param callbacks What the planner may ask, from critreg_callbacks_init().
+/// @param initial The state to begin in: critreg_planner_config.state_len numbers.
+/// In it those atoms must hold that the problem's :init names, and no others.
+/// @param seed Seed of all random choices. The same seed, texts, configuration and
+/// answers of the callbacks give the same plan on every machine.
+/// @param user_data Passed to the callbacks.
+/// @param length NULL, or receives how many steps the plan has; read them with
+/// critreg_planner_step().
+/// @return CRITREG_NO_PLAN if none was found: critreg_planner_metrics() tells how
+/// planning ended and what stood in the way; CRITREG_CAPACITY_EXCEEDED if the memory
+/// is full; CRITREG_MISMATCH if the initial state does not agree with :init
+/// (critreg_planner_message() names the atom); the status of a callback that was
+/// not CRITREG_OK; CRITREG_INVALID_ARGUMENT or CRITREG_NOT_FINITE for an answer of a
+/// callback that is none; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER, also
+/// if execute or holds are not set, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE. In all
+/// cases the planner can be used again.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_plan(
+    planner: *mut critreg_planner,
+    callbacks: *const critreg_callbacks,
+    initial: *const f64,
+    seed: u64,
+    user_data: *mut c_void,
+    length: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_planner(planner, |handle, inner| {
+            inner.plan_length = 0;
+            handle.culprit.set(None);
+            handle.metrics.set(critreg_metrics::NONE);
+            let callbacks = critreg_callbacks::read(callbacks)?;
+            let tables = &mut inner.tables;
+            let state_len = tables.initial.len();
+            let initial = pointer::slice(initial, state_len, "initial")?;
+            if !length.is_null() {
+                pointer::check(length, "length")?;
+            }
+            for (slot, number) in tables.initial.iter_mut().zip(initial) {
+                *slot = *number;
+            }
+            let result = plan(handle, inner, &callbacks, user_data, seed);
+            if let Err(Failure::Stopped(..)) = result {
+                handle.metrics.set(critreg_metrics::STOPPED);
+            }
+            result?;
+            if !length.is_null() {
+                length.write(inner.plan_length);
+            }
+            Ok(())
+        })
+    }
+}
+
+fn plan(
+    handle: &critreg_planner,
+    inner: &mut Inner,
+    callbacks: &critreg_callbacks,
+    user_data: *mut c_void,
+    seed: u64,
+) -> Fallible {
+    let Tables {
+        grounding,
+        names,
+        ranges,
+        operators,
+        progress,
+        links,
+        estimates,
+        nodes,
+        open,
+        initial,
+        steps,
+        sequence,
+        failures,
+        reasons,
+        ..
+    } = &mut inner.tables;
+    let program = Program {
+        callbacks,
+        user_data,
+        names,
+        ranges,
+        atoms: grounding.atoms(),
+    };
+    callbacks.execute.ok_or(Failure::Null("execute"))?;
+    check_initial(handle, &program, grounding.initial(), initial)?;
+    let task = AbstractTask {
+        operators,
+        initial: grounding.initial(),
+        goal: grounding.goal(),
+    };
+    let memory = Memory {
+        search: SearchMemory {
+            heuristic: HeuristicMemory {
+                operators: progress,
+                links,
+                cache: estimates,
+            },
+            nodes,
+            open,
+        },
+        steps,
+        failures,
+        reasons,
+    };
+    let mut guide = Advisor {
+        program,
+        sequence,
+        initial,
+        stopped: None,
+    };
+    let mut planner = Planner {
+        world: &mut { program },
+        sampler: &mut Draws { program, sequence },
+        guide: &mut guide,
+        config: inner.settings,
+    };
+    let planned = planner.plan(task, initial, generator(seed), || generator(seed), memory)?;
+    if let Some(failure) = guide.stopped {
+        return Err(failure);
+    }
+    let metrics = critreg_metrics::new(planned.conclusion, &planned.metrics, names);
+    handle.metrics.set(metrics);
+    inner.plan_length = planned.steps.len();
+    verdict(planned.conclusion)
+}
+
+/// Checks that those atoms hold in the initial state that the problem says.
+fn check_initial(
+    handle: &critreg_planner,
+    program: &Program<'_>,
+    expected: AtomSet,
+    initial: &[f64],
+) -> Fallible {
+    for (place, atom) in (0..).zip(program.atoms.as_slice()) {
+        if program.holds(atom, initial)? != expected.contains(place) {
+            handle.culprit.set(Some(*atom));
+            let what = "initial state and :init do not agree about an atom";
+            return Err(Error::Mismatch(what).into());
+        }
+    }
+    Ok(())
+}
+
+/// A step of a plan.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct critreg_step {
+    /// Size of this struct in bytes, from critreg_step_init().
+    pub struct_size: u32,
+    /// How many low-level actions it takes.
+    pub actions: u32,
+    /// The operator and its objects.
+    pub ground: critreg_ground,
+    /// How many parameters it has.
+    pub parameter_count: usize,
+    /// Its parameters, as execute got them; 0 beyond the last.
+    pub parameters: [f64; CRITREG_MAX_PARAMETERS],
+    /// The state afterwards. It belongs to the planner and stays until the next
+    /// critreg_plan().
+    pub state: *const f64,
+}
+
+// SAFETY: it is repr(C) and starts with struct_size.
+unsafe impl Versioned for critreg_step {
+    const FIRST: usize = size_of::<critreg_step>();
+}
+
+const NO_STEP: critreg_step = critreg_step {
+    struct_size: size_of::<critreg_step>() as u32,
+    actions: 0,
+    ground: critreg_ground::NONE,
+    parameter_count: 0,
+    parameters: [0.0; CRITREG_MAX_PARAMETERS],
+    state: core::ptr::null(),
+};
+
+/// Fills a step, so that critreg_planner_step() knows its size.
+///
+/// @param step The step.
+/// @param size sizeof *step, as for critreg_config_init().
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+/// size is smaller than the struct ever was, or larger than this library knows.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_step_init(step: *mut critreg_step, size: usize) -> critreg_status {
+    let mut value = NO_STEP;
+    value.struct_size = u32::try_from(size).unwrap_or(0);
+    // SAFETY: the header makes it the caller's promise.
+    status_of(unsafe { structs::init(step, size, critreg_step::FIRST, value) })
+}
+
+/// A step of the plan that the last critreg_plan() found.
+///
+/// @param planner The planner.
+/// @param index The step, from 0.
+/// @param step A step from critreg_step_init(), to be filled.
+/// @return CRITREG_INVALID_ARGUMENT if the plan has no such step or the struct was
+/// not initialised; CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+/// CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_planner_step(
+    planner: *mut critreg_planner,
+    index: usize,
+    step: *mut critreg_step,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        with_planner(planner, |_, inner| {
+            structs::write(inner.step(index)?, step, "step")
+        })
+    }
+}
+
+impl Inner {
+    fn step(&self, index: usize) -> Fallible<critreg_step> {
+        let plan = self.tables.steps.get(..self.plan_length);
+        let found = plan.and_then(|plan| plan.get(index));
+        let operator = found.and_then(|s| self.tables.operators.get(usize::from(s.operator)));
+        let (Some(found), Some(operator)) = (found, operator) else {
+            return Err(Failure::invalid("the plan has no such step"));
+        };
+        let mut step = critreg_step {
+            actions: found.actions,
+            ground: self.tables.names.operator(operator),
+            parameter_count: found.parameters.len(),
+            state: found.state.as_ptr(),
+            ..NO_STEP
+        };
+        for (value, own) in step.parameters.iter_mut().zip(&found.parameters) {
+            *value = f64::from(*own);
+        }
+        Ok(step)
+    }
+}
