@@ -146,8 +146,7 @@ impl<R> Default for Cover<R> {
 }
 
 impl<R: Real> Cover<R> {
-    /// A cover by greedy choice. What no bound excludes is left to constraints with
-    /// two.
+    /// A cover by greedy choice of bounds.
     pub(super) fn greedy(
         forms: &Forms<'_, R>,
         step: usize,
@@ -193,11 +192,10 @@ impl<R: Real> Cover<R> {
             remove(&mut left, &chosen.excluded(forms, step));
         }
         while !is_empty(&left) && !self.chosen.is_full() {
-            let side = best_side(forms, &left, step, taste, rng.next_u32());
-            let simple = side.map(|side| Chosen::new(Bound::inside(forms, side, step)));
-            let Some(chosen) = simple.or_else(|| best_clause(forms, &left, step)) else {
+            let Some(side) = best_side(forms, &left, step, taste, rng.next_u32()) else {
                 break;
             };
+            let chosen = Chosen::new(Bound::inside(forms, side, step));
             remove(&mut left, &chosen.excluded(forms, step));
             let _ = self.chosen.push(chosen);
         }
