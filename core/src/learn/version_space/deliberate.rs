@@ -22,7 +22,7 @@ const SIMPLE: f64 = 50.0;
 const CLAUSES: usize = 3;
 /// An election needs one new sample for so many old ones: where nothing explains the
 /// answers for long, elections would follow each other.
-const PATIENCE: usize = 16;
+const PATIENCE: usize = 8;
 
 impl<R: Real> VersionSpace<'_, R> {
     /// Replaces the explanations that no longer hold, except for the best ones. These
@@ -134,9 +134,11 @@ impl<R: Real> VersionSpace<'_, R> {
                     }
                     _ => break,
                 };
-                let rating = rate(&mut other);
-                if rating < standing {
-                    (*best, standing) = (other, rating);
+                if other.complete {
+                    let rating = rate(&mut other);
+                    if rating < standing {
+                        (*best, standing) = (other, rating);
+                    }
                 }
             }
         }
