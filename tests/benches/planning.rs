@@ -1,11 +1,16 @@
 //! How long planning takes: `cargo bench --bench planning`.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use critreg::domain::{State, Task};
-use critreg::plan::{Conclusion, Config, Metrics, Planned, Planner, Search, Unguided};
+use critreg::domain::Task;
+use critreg::env::stick_button::StickButton;
+use critreg::plan::skill::{Informed, Training};
+use critreg::plan::{
+    Conclusion, Config, Guide, Metrics, Planner, Sampler, Search, Simulated, Unguided,
+};
 use critreg::random::generator;
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::ideal::Ideal;
+use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, learn};
 use critreg_tests::plan::{Grounding, Room};
 use std::ops::RangeInclusive;
 
@@ -45,15 +50,20 @@ fn search(c: &mut Criterion) {
     });
 }
 
-/// Plans a task from scratch with what an ideal learner knows.
-fn plan<'m>(task: &Task, grounding: &'m Grounding, room: &'m mut Room) -> Planned<'m, State> {
-    let mut ideal = Ideal {
-        initial: &task.initial,
-    };
+/// Plans a task from scratch, and returns samples and steps.
+fn plan<S, G: Guide>(
+    task: &Task,
+    grounding: &Grounding,
+    (mut sampler, mut guide): (S, G),
+    room: &mut Room,
+) -> [u32; 2]
+where
+    S: for<'g> Sampler<Simulated<'g, StickButton>>,
+{
     let mut planner = Planner {
         world: &mut grounding.simulated(),
-        sampler: &mut ideal.clone(),
-        guide: &mut ideal,
+        sampler: &mut sampler,
+        guide: &mut guide,
         config: Config::default(),
     };
     let samples = || generator(2);
@@ -64,37 +74,53 @@ fn plan<'m>(task: &Task, grounding: &'m Grounding, room: &'m mut Room) -> Planne
         samples,
         room.lend(),
     );
-    planned.unwrap()
+    let planned = planned.unwrap();
+    assert_eq!(planned.conclusion, Conclusion::Solved);
+    [planned.metrics.samples, planned.metrics.plan_length]
+}
+
+/// Plans all tasks with hooks for each of them.
+fn bench<'t, S, G: Guide>(
+    c: &mut Criterion,
+    (name, tasks): (&str, &'t [Task]),
+    hooks: impl Fn(&'t Task) -> (S, G),
+) where
+    S: for<'g> Sampler<Simulated<'g, StickButton>>,
+{
+    let mut room = Room::new(NODES);
+    let mut all = || {
+        tasks.iter().fold([0, 0], |[samples, steps], task| {
+            let grounding = Grounding::new(task).unwrap();
+            let [more, longer] = plan(task, &grounding, hooks(task), &mut room);
+            [samples + more, steps + longer]
+        })
+    };
+    let [samples, steps] = all();
+    println!("{name}: {samples} samples, {steps} steps");
+    let mut group = c.benchmark_group("planning");
+    group.throughput(Throughput::Elements(TASKS as u64));
+    group.bench_function(name, |b| b.iter(&mut all));
 }
 
 fn planning(c: &mut Criterion) {
-    let mut room = Room::new(NODES);
+    let training = Training::default();
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend();
+    learn(&mut skills, 1, &training, &mut TrainingRoom::new(&training)).unwrap();
     for buttons in [1..=1, 3..=4] {
         let tasks = tasks(buttons.clone());
-        let (mut samples, mut length, mut nodes) = (0, 0, 0);
-        for task in &tasks {
-            let grounding = Grounding::new(task).unwrap();
-            let planned = plan(task, &grounding, &mut room);
-            assert_eq!(planned.conclusion, Conclusion::Solved);
-            samples += planned.metrics.samples;
-            length += planned.metrics.plan_length;
-            nodes += planned.metrics.nodes_created;
-        }
-        println!("{buttons:?} buttons: {samples} samples, {length} steps, {nodes} nodes");
-        let mut group = c.benchmark_group("planning");
-        group.throughput(Throughput::Elements(TASKS as u64));
-        group.bench_function(
-            format!("50 tasks, {buttons:?} buttons, ideal sampler"),
-            |b| {
-                b.iter(|| {
-                    let plan = |task| {
-                        let grounding = Grounding::new(task).unwrap();
-                        plan(task, &grounding, &mut room).metrics.samples
-                    };
-                    tasks.iter().map(plan).sum::<u32>()
-                });
-            },
-        );
+        let name = format!("50 tasks, {buttons:?} buttons, ideal sampler");
+        bench(c, (&name, &tasks), |task| {
+            let ideal = Ideal {
+                initial: &task.initial,
+            };
+            (ideal, ideal)
+        });
+        let name = format!("50 tasks, {buttons:?} buttons, learned regions");
+        bench(c, (&name, &tasks), |task| {
+            let informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
+            (informed, informed)
+        });
     }
 }
 

@@ -1,8 +1,8 @@
 //! The planner against recordings of the Predicators framework and brute force.
 
 use critreg::Error;
-use critreg::domain::{Environment, GroundOperator, OperatorId, State, Task};
-use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, PICK_STICK, StickButton};
+use critreg::domain::{GroundOperator, OperatorId, State, Task};
+use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, StickButton};
 use critreg::plan::{
     Advice, Conclusion, Config, Draw, Drawn, Guide, Planned, Planner, ReasonId, Sampler, Simulated,
     Skeleton, Spent, Unguided,
@@ -10,6 +10,7 @@ use critreg::plan::{
 use critreg::random::{generator, uniform};
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::ideal::{Ideal, NO_GRASP, OUT_OF_REACH};
+use critreg_tests::plan::lower_half::LowerHalf;
 use critreg_tests::plan::record::{self, Run};
 use critreg_tests::plan::{Grounding, Room};
 use rand_core::Rng;
@@ -119,24 +120,6 @@ fn replay(run: &Run, generator: &Pcg64, room: &mut Room) -> u32 {
         assert_eq!((&words, samples), (&recorded.0, &recorded.1), "{name}");
     }
     metrics.samples
-}
-
-/// Draws grasps from the region that the thesis learned, mu <= 0.5.
-struct LowerHalf<'a>(Simulated<'a, StickButton>);
-
-impl<'a> Sampler<Simulated<'a, StickButton>> for LowerHalf<'a> {
-    fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
-        let Drawn::Parameters(mut drawn) = self.0.sample(draw, rng)? else {
-            panic!("the original sampler knows no regions");
-        };
-        let operators = ENVIRONMENT.operators();
-        let operator = &operators[usize::from(draw.operator.operator.0)];
-        if operator.controller == PICK_STICK {
-            // Half of a uniform number, exactly.
-            drawn.iter_mut().for_each(|mu| *mu *= 0.5);
-        }
-        Ok(Drawn::Parameters(drawn))
-    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Sets of points: what a region or learner speaks about.
 
 use super::expression::Node;
-use super::schema::{Base, Domain, MAX_POINTS};
+use super::schema::{Base, Domain, MAX_POINTS, Point, PoseSlots};
 
 /// A set of points of a domain, with the points they are placed in. Those that move
 /// with a parameter are kept apart.
@@ -46,6 +46,30 @@ impl PointSet {
         placed.fold(own(nodes), |bits, term| {
             bits | domain.parameters_of(domain.nodes(), term)
         })
+    }
+
+    /// Whether a number of an instance counts for these points or a list of nodes.
+    pub(crate) fn reads(self, domain: &Domain<'_>, nodes: &[Node], slot: u8) -> bool {
+        let is_it = |node: &Node| match node {
+            Node::Extreme(_, relation) => {
+                let mut terms = domain.terms(*relation);
+                terms.any(|(_, term)| term == Node::Attribute(slot))
+            }
+            node => *node == Node::Attribute(slot),
+        };
+        let places = |point: &Point<'_>| {
+            let pose = match point.base {
+                Base::Object(object) => domain.pose_slots(object),
+                _ => PoseSlots::default(),
+            };
+            let mut pose = pose.position.into_iter().chain(pose.angles);
+            let mut moved = point.turn.into_iter().chain(point.offset).flatten();
+            pose.any(|own| own == Some(slot))
+                || moved.any(|term| domain.reads(domain.nodes(), term, slot))
+        };
+        let points = self.fixed.iter().chain(self.sampled.iter());
+        let mut points = points.filter_map(|p| domain.points().get(usize::from(p)));
+        nodes.iter().any(is_it) || points.any(places)
     }
 
     fn with_term(self, domain: &Domain<'_>, term: Node) -> PointSet {

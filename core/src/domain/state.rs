@@ -44,17 +44,27 @@ pub struct ObjectName {
     number: Option<u8>,
 }
 
-impl fmt::Display for ObjectName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.word)?;
+impl ObjectName {
+    /// Writes the name.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, out: &mut (impl Write + ?Sized)) -> fmt::Result {
+        out.write_str(self.word)?;
         let Some(number) = self.number else {
             return Ok(());
         };
         if number >= 10 {
             // A state has fewer than a hundred objects.
-            f.write_char(char::from(b'0' + number / 10 % 10))?;
+            out.write_char(char::from(b'0' + number / 10 % 10))?;
         }
-        f.write_char(char::from(b'0' + number % 10))
+        out.write_char(char::from(b'0' + number % 10))
+    }
+}
+
+impl fmt::Display for ObjectName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f)
     }
 }
 

@@ -139,9 +139,9 @@ impl From<bool> for Truth {
 /// A statement about a sample in an instance: constraints and connectives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
-    nodes: Vec<Node, MAX_FORMULA_NODES>,
-    constraints: Vec<Constraint, MAX_CONSTRAINTS>,
-    steps: Vec<Step, MAX_FORMULA_STEPS>,
+    pub(super) nodes: Vec<Node, MAX_FORMULA_NODES>,
+    pub(super) constraints: Vec<Constraint, MAX_CONSTRAINTS>,
+    pub(super) steps: Vec<Step, MAX_FORMULA_STEPS>,
 }
 
 impl Default for Formula {
@@ -212,14 +212,14 @@ impl Formula {
         Ok(())
     }
 
-    fn push_constraint(&mut self, constraint: Constraint) -> Result<(), Error> {
+    pub(super) fn push_constraint(&mut self, constraint: Constraint) -> Result<(), Error> {
         const FULL: Error = Error::CapacityExceeded("constraints of a region");
         let index = u8::try_from(self.constraints.len()).map_err(|_| FULL)?;
         self.constraints.push(constraint).map_err(|_| FULL)?;
         self.push_step(Step::Constraint(index))
     }
 
-    fn push_step(&mut self, step: Step) -> Result<(), Error> {
+    pub(super) fn push_step(&mut self, step: Step) -> Result<(), Error> {
         self.steps
             .push(step)
             .map_err(|_| Error::CapacityExceeded("connectives of a region"))
@@ -392,7 +392,7 @@ impl Formula {
     }
 
     /// Index of the first step of the statement that ends at `at`.
-    fn start_of(&self, mut at: usize) -> Result<usize, fmt::Error> {
+    pub(super) fn start_of(&self, mut at: usize) -> Result<usize, fmt::Error> {
         let mut missing = 1usize;
         loop {
             missing = match self.steps.get(at).ok_or(fmt::Error)? {

@@ -5,10 +5,12 @@
 //! samples. A [`Formula`] is a statement made of constraints with `and`, `or` and
 //! `not`; it has a text form and is what regions are made of.
 
+mod conjuncts;
 mod features;
 mod formula;
 mod hypotheses;
 
+pub use conjuncts::Conjunct;
 pub use features::{FACTORS, Features, MAX_COMPLEXITY};
 pub use formula::{
     Comparison, Constraint, Formula, Inequality, MAX_CONSTRAINTS, MAX_FORMULA_NODES,

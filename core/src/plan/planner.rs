@@ -3,6 +3,7 @@
 use super::AbstractTask;
 use super::config::Config;
 use super::guide::Guide;
+use super::heuristic::HeuristicMemory;
 use super::metrics::Metrics;
 use super::refine::{Refinement, Refiner, Step};
 use super::search::{Search, SearchMemory};
@@ -22,6 +23,27 @@ pub struct Memory<'m, S> {
     /// A counter for each reason that guide and sampler give; see
     /// [`Metrics::reasons`].
     pub reasons: &'m mut [u32],
+}
+
+impl<S> Memory<'_, S> {
+    /// The same memory, lent for a shorter time.
+    pub fn reborrow(&mut self) -> Memory<'_, S> {
+        let heuristic = &mut self.search.heuristic;
+        Memory {
+            search: SearchMemory {
+                heuristic: HeuristicMemory {
+                    operators: heuristic.operators,
+                    links: heuristic.links,
+                    cache: heuristic.cache,
+                },
+                nodes: self.search.nodes,
+                open: self.search.open,
+            },
+            steps: self.steps,
+            failures: self.failures,
+            reasons: self.reasons,
+        }
+    }
 }
 
 /// How planning ended.

@@ -43,6 +43,15 @@ impl<'s> Skeleton<'s> {
         places.filter_map(move |place| operators.get(usize::from(*place)))
     }
 
+    /// The part before a step.
+    #[must_use]
+    pub fn until(&self, step: usize) -> Skeleton<'s> {
+        Skeleton {
+            operators: self.operators,
+            places: self.places.get(..step).unwrap_or(self.places),
+        }
+    }
+
     /// The part from a step on; empty behind the last.
     #[must_use]
     pub fn from(&self, step: usize) -> Skeleton<'s> {

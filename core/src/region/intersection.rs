@@ -104,7 +104,25 @@ impl<'p, R: Real> Intersection<'p, R> {
     /// [`Error::EmptyRegion`] if it is proven that there are none,
     /// [`Error::NoSample`] if none were found.
     pub fn sample(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Theta, Error> {
-        sample(self, rng)
+        sample(self, R::ZERO, rng)
+    }
+
+    /// As [`Intersection::sample`], but away from the boundary, where an action may
+    /// fail after all: the share `margin` in `[0, 0.5]` of every interval is left out
+    /// at both of its ends; with several parameters, that along some line.
+    ///
+    /// # Errors
+    /// Those of [`Intersection::sample`], and [`Error::InvalidArgument`] for another
+    /// margin.
+    pub fn sample_inside(
+        &self,
+        margin: f64,
+        rng: &mut (impl Rng + ?Sized),
+    ) -> Result<Theta, Error> {
+        if !(0.0..=0.5).contains(&margin) {
+            return Err(Error::InvalidArgument("a margin is in [0, 0.5]"));
+        }
+        sample(self, R::from_f64(margin), rng)
     }
 
     /// Whether it is proven that no parameters are admitted; see

@@ -119,11 +119,18 @@ impl<R: Real> IntervalSet<R> {
     /// lies, so that a uniform share gives a uniform number. A set without length
     /// gives its first point.
     pub fn quantile(&self, share: R) -> Option<R> {
+        self.quantile_inside(share, R::ZERO)
+    }
+
+    /// As [`IntervalSet::quantile`], with the share `margin` of every interval left
+    /// out at both of its ends.
+    pub fn quantile_inside(&self, share: R, margin: R) -> Option<R> {
         let mut left = share * self.length();
         let last = self.intervals.last()?;
         for interval in &self.intervals {
             if left < interval.length() {
-                return Some(interval.low + left);
+                let inner = R::ONE - margin - margin;
+                return Some(interval.low + margin * interval.length() + inner * left);
             }
             left -= interval.length();
         }

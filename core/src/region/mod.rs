@@ -96,6 +96,12 @@ impl Region {
         &self.formula
     }
 
+    /// Whether a number of an instance, by its place, counts for the region. If not, it
+    /// may be anything.
+    pub fn reads(&self, domain: &Domain<'_>, slot: u8) -> bool {
+        self.points.reads(domain, self.formula.nodes(), slot)
+    }
+
     /// The region in a problem instance: one number per attribute.
     ///
     /// # Errors

@@ -33,7 +33,7 @@ impl<R: Real> Grounded<'_, R> {
     /// plan skeleton, or fall back on another sampler. [`Error::NoSample`] if
     /// nothing was found but emptiness could not be proven.
     pub fn sample(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Theta, Error> {
-        sample(self, rng)
+        sample(self, R::ZERO, rng)
     }
 
     /// Whether it is proven that no parameters are admitted. With one parameter
@@ -47,16 +47,18 @@ impl<R: Real> Grounded<'_, R> {
     }
 }
 
-/// Draws parameters of a set; see [`Grounded::sample`].
+/// Draws parameters of a set; see [`Grounded::sample`]. The share `margin` at both
+/// ends of each interval along a line is left out.
 pub(super) fn sample<R: Real>(
     set: &impl ParameterSet<R>,
+    margin: R,
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Theta, Error> {
     let found = match set.count() {
         0 | 1 if is_proven_empty(set)? => return Err(Error::EmptyRegion),
         0 => Some([R::ZERO; MAX_PARAMETERS]),
-        1 => draw_from(set, set.set(), single, rng)?,
-        _ => sample_several(set, rng)?,
+        1 => draw_from(set, set.set(), single, margin, rng)?,
+        _ => sample_several(set, margin, rng)?,
     };
     let theta = found.ok_or(Error::NoSample)?;
     Ok(theta.map(R::to_f64))
@@ -82,10 +84,11 @@ fn draw_from<R: Real>(
     parameters: &impl ParameterSet<R>,
     set: &IntervalSet<R>,
     along: impl Fn(R) -> Vector<R>,
+    margin: R,
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Option<Vector<R>>, Error> {
     for _ in 0..REJECTIONS {
-        let Some(t) = set.quantile(R::from_f64(uniform(rng))) else {
+        let Some(t) = set.quantile_inside(R::from_f64(uniform(rng)), margin) else {
             return Ok(None);
         };
         let theta = along(t);
@@ -105,13 +108,18 @@ fn draw_from<R: Real>(
 
 fn sample_several<R: Real>(
     parameters: &impl ParameterSet<R>,
+    margin: R,
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Option<Vector<R>>, Error> {
     let (low, high) = parameters.bounds();
     for _ in 0..REJECTIONS {
         let theta = inside(parameters.count(), &low, &high, rng);
         if parameters.admits(&theta)? {
-            return Ok(Some(theta));
+            let inner = match margin > R::ZERO {
+                true => step(parameters, &theta, margin, rng)?,
+                false => None,
+            };
+            return Ok(inner.or(Some(theta)));
         }
     }
     // Too small to be hit: find small boxes that may hold some of it, in
@@ -123,9 +131,9 @@ fn sample_several<R: Real>(
         };
         for _ in 0..LINES {
             let through = inside(parameters.count(), &low, &high, rng);
-            if let Some(mut theta) = step(parameters, &through, rng)? {
+            if let Some(mut theta) = step(parameters, &through, margin, rng)? {
                 for _ in 0..STEPS_PER_PARAMETER * parameters.count() {
-                    theta = step(parameters, &theta, rng)?.unwrap_or(theta);
+                    theta = step(parameters, &theta, margin, rng)?.unwrap_or(theta);
                 }
                 return Ok(Some(theta));
             }
@@ -155,6 +163,7 @@ fn inside<R: Real>(
 fn step<R: Real>(
     parameters: &impl ParameterSet<R>,
     through: &Vector<R>,
+    margin: R,
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Option<Vector<R>>, Error> {
     let mut direction = [R::ZERO; MAX_PARAMETERS];
@@ -185,5 +194,5 @@ fn step<R: Real>(
         }
         theta
     };
-    draw_from(parameters, &set, along, rng)
+    draw_from(parameters, &set, along, margin, rng)
 }

@@ -1,3 +1,5 @@
+//! What planning takes with learned regions: `report -- table [--seeds N]`.
+//!
 //! How often the learners find the true region:
 //! `report -- <what> [--seeds N] [--calls N] [--instances N]`.
 
@@ -11,7 +13,7 @@ use critreg_tests::{pick, room::Room};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const USAGE: &str = "usage: report \
+const USAGE: &str = "usage: report table [--seeds N]\n       report \
      <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
      [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]";
 
@@ -26,6 +28,10 @@ struct Options {
 }
 
 fn main() -> ExitCode {
+    if let Some(seeds) = table_seeds() {
+        report::table(seeds);
+        return ExitCode::SUCCESS;
+    }
     match options() {
         Some(options) => {
             run_all(&options);
@@ -35,6 +41,17 @@ fn main() -> ExitCode {
             eprintln!("{USAGE}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// The seeds of the table, if that is asked for.
+fn table_seeds() -> Option<u64> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match arguments[..] {
+        ["table"] => Some(10),
+        ["table", "--seeds", seeds] => seeds.parse().ok(),
+        _ => None,
     }
 }
 

@@ -1,7 +1,9 @@
 //! Planning in the stick-button environment, for host programs.
 
 pub mod ideal;
+pub mod lower_half;
 pub mod record;
+pub mod skills;
 
 use critreg::Error;
 use critreg::domain::{AtomSet, Atoms, Environment, GroundOperator, State, Task, ground_operators};
@@ -43,7 +45,7 @@ impl Room {
             open: vec![Waiting::default(); nodes],
             steps: vec![Step::default(); 16],
             failures: vec![0; ENVIRONMENT.operators().len()],
-            reasons: vec![0; ideal::REASONS],
+            reasons: vec![0; MAX_OPERATORS],
         }
     }
 

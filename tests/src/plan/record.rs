@@ -80,7 +80,8 @@ fn step(word: &str) -> (String, Vec<f32>) {
 }
 
 /// The task to press all buttons.
-fn press_all(initial: State) -> Task {
+/// The task to press all buttons.
+pub fn press_all(initial: State) -> Task {
     let goal = initial.of_type(BUTTON_TYPE).map(|button| GroundAtom {
         predicate: PRESSED,
         objects: Arguments::new([button]).unwrap(),

@@ -2,10 +2,12 @@
 
 mod judge;
 mod room;
+mod row;
 mod scenario;
 mod shapes;
 mod statistics;
 mod synthetic;
+mod table;
 
 pub use judge::{Score, Truth};
 pub use room::VersionSpaceRoom;
@@ -13,3 +15,4 @@ pub use scenario::{Scenario, angles, chain, noise, pick};
 pub use shapes::{groups, interval, state, union};
 pub use statistics::{Run, Statistics};
 pub use synthetic::synthetic;
+pub use table::print as table;

@@ -181,6 +181,18 @@ impl Domain<'_> {
         }
     }
 
+    /// Whether a number of an instance occurs in an expression, that of points left
+    /// out.
+    pub(super) fn reads(&self, nodes: &[Node], id: NodeId, slot: u8) -> bool {
+        match node_at(nodes, id) {
+            Ok(Node::Attribute(own)) => own == slot,
+            Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
+                self.reads(nodes, a, slot) || self.reads(nodes, b, slot)
+            }
+            _ => false,
+        }
+    }
+
     /// Reads an expression from a text: sums, differences and products of
     /// numbers, constants, attributes, parameters, coordinates of points,
     /// `dist(a, b)`, `dist_x`, `dist_y`, `dist_z`, `angle(a, b)` and `area(o)`, and

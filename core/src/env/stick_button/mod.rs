@@ -29,6 +29,7 @@ mod pick;
 mod predicates;
 mod press;
 mod simulate;
+mod skills;
 mod tasks;
 mod world;
 

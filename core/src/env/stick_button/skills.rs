@@ -1,0 +1,64 @@
+//! What can be said of the controllers, for learning when they work.
+
+use super::{PICK_STICK, PLACE_STICK, ROBOT_PRESS_BUTTON, STICK_PRESS_BUTTON, StickButton};
+use crate::plan::skill::{Describe, Description};
+
+/// A text about objects, behind the constants.
+macro_rules! text {
+    ($objects:literal) => {
+        concat!(include_str!("skills/constants.txt"), include_str!($objects))
+    };
+}
+
+static DESCRIPTIONS: [Description; 4] = [
+    Description {
+        own: PICK_STICK,
+        later: None,
+        text: text!("skills/pick.txt"),
+    },
+    Description {
+        own: ROBOT_PRESS_BUTTON,
+        later: None,
+        text: text!("skills/press.txt"),
+    },
+    Description {
+        own: PLACE_STICK,
+        later: None,
+        text: text!("skills/place.txt"),
+    },
+    Description {
+        own: PICK_STICK,
+        later: Some(STICK_PRESS_BUTTON),
+        text: text!("skills/reach.txt"),
+    },
+];
+
+impl Describe for StickButton {
+    fn descriptions(&self) -> &'static [Description] {
+        &DESCRIPTIONS
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::{Domain, Environment};
+    use crate::plan::skill::{Changes, Skills};
+
+    #[test]
+    fn the_texts_agree_with_the_environment() {
+        let environment = StickButton::default();
+        let pick = Domain::parse(StickButton::PICK_DOMAIN).unwrap();
+        let mut skills = [const { None }; DESCRIPTIONS.len()];
+        let mut changes = [Changes::default(); 4];
+        let skills = Skills::new(&environment, &mut skills, &mut changes).unwrap();
+        for skill in skills.iter() {
+            assert_eq!(skill.domain().constants(), pick.constants());
+            let controller = usize::from(skill.description().own.0);
+            let controller = &environment.controllers()[controller];
+            let parameters = skill.domain().parameters().iter();
+            let ranges: std::vec::Vec<_> = parameters.map(|p| [p.low, p.high]).collect();
+            assert_eq!(ranges, controller.parameters, "{}", controller.name);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! The regions of a step and of the steps after it.
+
+use super::Skill;
+use crate::domain::MAX_STATE_VALUES;
+use crate::error::Error;
+use crate::region::{Intersection, Part, Region, Theta};
+use heapless::Vec;
+use rand_core::Rng;
+
+/// Regions that are intersected at most: later steps beyond do not narrow a draw.
+pub(super) const MAX_PARTS: usize = 16;
+/// Numbers that their instances have at most, together.
+const MAX_NUMBERS: usize = 4 * MAX_STATE_VALUES;
+
+/// The instances of regions that are to be intersected.
+#[derive(Default)]
+pub(super) struct Tail<'s> {
+    numbers: Vec<f64, MAX_NUMBERS>,
+    /// Each with where its numbers end, and the step that it is about.
+    pub(super) skills: Vec<(&'s Skill, usize, usize), MAX_PARTS>,
+}
+
+impl<'s> Tail<'s> {
+    /// Adds a region in the instance that `fill` makes, unless it is there.
+    pub(super) fn add(
+        &mut self,
+        skill: &'s Skill,
+        step: usize,
+        fill: impl FnOnce(&mut [f64]) -> Result<(), Error>,
+    ) {
+        let start = self.numbers.len();
+        let end = start + skill.binding.len();
+        let kept = self.numbers.resize_default(end).is_ok()
+            && self
+                .numbers
+                .get_mut(start..)
+                .is_some_and(|own| fill(own).is_ok())
+            && !self.has(skill, start)
+            && self.skills.push((skill, end, step)).is_ok();
+        if !kept {
+            self.numbers.truncate(start);
+        }
+    }
+
+    /// Whether a region is there in the instance of the last numbers.
+    fn has(&self, skill: &Skill, start: usize) -> bool {
+        let new = self.numbers.get(start..).unwrap_or_default();
+        self.parts().zip(&self.skills).any(|(part, (other, ..))| {
+            let mut pairs = part.instance.iter().zip(new);
+            core::ptr::eq(*other, skill) && pairs.all(|(a, b)| a.to_bits() == b.to_bits())
+        })
+    }
+
+    pub(super) fn parts(&self) -> impl Iterator<Item = Part<'_>> {
+        let starts = core::iter::once(0).chain(self.skills.iter().map(|(_, end, _)| *end));
+        let skills = self.skills.iter().zip(starts);
+        skills.filter_map(|((skill, end, _), start)| {
+            Some(Part {
+                region: skill.region.as_ref()?,
+                domain: &skill.domain,
+                instance: self.numbers.get(start..*end)?,
+            })
+        })
+    }
+
+    /// Whether it is proven that the first regions have nothing in common.
+    pub(super) fn are_apart(&self, count: usize) -> Result<bool, Error> {
+        let parts: Vec<Part<'_>, MAX_PARTS> = self.parts().take(count).collect();
+        if parts.is_empty() {
+            return Ok(false);
+        }
+        Intersection::<f64>::new(&parts)?.is_proven_empty()
+    }
+
+    /// Draws parameters that all regions admit; see [`Intersection::sample_inside`].
+    pub(super) fn sample<R: Rng>(&self, margin: f64, rng: &mut R) -> Result<Theta, Error> {
+        let parts: Vec<Part<'_>, MAX_PARTS> = self.parts().collect();
+        Intersection::<f64>::new(&parts)?.sample_inside(margin, rng)
+    }
+
+    /// Whether the regions have something in common without a conjunct of one of them,
+    /// by its place.
+    pub(super) fn meet_without(&self, place: usize, conjunct: usize) -> Result<bool, Error> {
+        let Some((domain, region)) = self.parts().nth(place).map(|p| (p.domain, p.region)) else {
+            return Ok(false);
+        };
+        let formula = region.formula().select(|own| own.index != conjunct)?;
+        let weaker = Region::new(domain, formula);
+        let parts = self.parts().enumerate().map(|(index, part)| Part {
+            region: if index == place { &weaker } else { part.region },
+            ..part
+        });
+        let parts: Vec<Part<'_>, MAX_PARTS> = parts.collect();
+        Ok(!Intersection::<f64>::new(&parts)?.is_proven_empty()?)
+    }
+}

@@ -1,0 +1,145 @@
+//! Why an operator cannot work, in words.
+
+use super::informed::Run;
+use super::tail::{MAX_PARTS, Tail};
+use super::{Describe, Informed, Skill};
+use crate::domain::{GroundOperator, ObjectId, ObjectType, State};
+use crate::plan::{ReasonId, Skeleton};
+use core::fmt::{self, Write};
+
+impl<E: Describe> Informed<'_, E> {
+    /// Writes what stands in the way of an operator's controller: every constraint without
+    /// which it would work in the initial state, alone or after another one, with the
+    /// names of objects for the roles. For example `RobotPressButton(robby, button0,
+    /// stick) needs button0.y <= 2.9`.
+    ///
+    /// `operators` are those of the task, `reason` is what planning gives, such as
+    /// [`Metrics::main_reason`](crate::plan::Metrics::main_reason). If there is no such
+    /// constraint, because only several steps together are too much or the state was
+    /// another one, it is all that is known of the operator.
+    ///
+    /// # Errors
+    /// Those of `out`, and if the reason is not of this task.
+    pub fn explain(
+        &self,
+        operators: &[GroundOperator],
+        ReasonId(place): ReasonId,
+        out: &mut dyn Write,
+    ) -> fmt::Result {
+        let blocked = operators.get(usize::from(place)).ok_or(fmt::Error)?;
+        let (after, tail) = self.cause(operators, place);
+        let run = |ground| self.run(ground).ok_or(fmt::Error);
+        let (own, later) = (run(after.unwrap_or(blocked))?, run(blocked)?);
+        self.write_run(&later, out)?;
+        if after.is_some() {
+            out.write_str(" after ")?;
+            self.write_run(&own, out)?;
+        }
+        let mut out = Named {
+            skill: None,
+            state: self.initial,
+            types: self.environment.types(),
+            own: own.objects.as_slice(),
+            later: later.objects.as_slice(),
+            out,
+        };
+        match write_constraints(&tail, true, &mut out)? {
+            0 => write_constraints(&tail, false, &mut out).map(|_| ()),
+            _ => Ok(()),
+        }
+    }
+
+    /// What keeps an operator from working: its own region, or else the first step after
+    /// which it cannot work, or about which something is known at least.
+    fn cause<'o>(
+        &self,
+        operators: &'o [GroundOperator],
+        place: u16,
+    ) -> (Option<&'o GroundOperator>, Tail<'_>) {
+        let known = |places: &[u16]| {
+            let skeleton = Skeleton::new(operators, places);
+            self.tail(skeleton, self.initial, |_, _, _| true)
+        };
+        let is_apart = |tail: &Tail<'_>| tail.are_apart(MAX_PARTS).unwrap_or(false);
+        let alone = known(&[place]);
+        if is_apart(&alone) {
+            return (None, alone);
+        }
+        let pairs = || {
+            let pairs = (0..)
+                .zip(operators)
+                .map(|(own, ground)| (Some(ground), known(&[own, place])));
+            pairs.filter(|(_, tail)| tail.skills.iter().any(|(.., step)| *step > 0))
+        };
+        let apart = pairs().find(|(_, tail)| is_apart(tail));
+        apart.or_else(|| pairs().next()).unwrap_or((None, alone))
+    }
+
+    /// Writes a controller with its objects.
+    fn write_run(&self, run: &Run<E>, out: &mut dyn Write) -> fmt::Result {
+        out.write_str(run.controller.name)?;
+        let mut before = "(";
+        for object in run.objects.as_slice() {
+            out.write_str(before)?;
+            let name = self.initial.name(self.environment.types(), *object);
+            name.ok_or(fmt::Error)?.write(out)?;
+            before = ", ";
+        }
+        out.write_str(if before == "(" { "()" } else { ")" })
+    }
+}
+
+/// Writes constraints of the regions; only those that alone keep the regions from meeting,
+/// or all. Returns how many.
+fn write_constraints<'t>(
+    tail: &Tail<'t>,
+    deciding: bool,
+    out: &mut Named<'t, '_>,
+) -> Result<u32, fmt::Error> {
+    let mut count = 0;
+    for (place, (skill, ..)) in tail.skills.iter().enumerate() {
+        let Some(region) = &skill.region else {
+            continue;
+        };
+        for index in 0..region.formula().conjunct_count() {
+            if deciding && !tail.meet_without(place, index).unwrap_or(false) {
+                continue;
+            }
+            out.skill = None;
+            out.write_str(if count == 0 { " needs " } else { " and " })?;
+            out.skill = Some(skill);
+            let conjunct = region.formula().select(|own| own.index == index);
+            let conjunct = conjunct.map_err(|_| fmt::Error)?;
+            conjunct.write(&skill.domain, out)?;
+            count += 1;
+        }
+    }
+    Ok(count)
+}
+
+/// Puts the names of objects where a skill's domain has the names of roles.
+struct Named<'t, 'o> {
+    skill: Option<&'t Skill>,
+    state: &'o State,
+    types: &'o [ObjectType],
+    own: &'o [ObjectId],
+    later: &'o [ObjectId],
+    out: &'o mut dyn Write,
+}
+
+impl Write for Named<'_, '_> {
+    /// Expressions are written name by name.
+    fn write_str(&mut self, word: &str) -> fmt::Result {
+        let name = self.skill.and_then(|skill| {
+            let mut roles = skill.domain.objects().iter();
+            let role = roles.find(|o| o.name == word && o.member.is_none())?;
+            let slot = usize::from(role.first_slot);
+            let source = skill.binding.source(slot, self.state, self.own, self.later);
+            self.state.name(self.types, source?.0)
+        });
+        match name {
+            Some(name) => name.write(self.out),
+            None => self.out.write_str(word),
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! A row of the table: what planning took.
+
+use crate::pick::ENVIRONMENT;
+use crate::plan::lower_half::LowerHalf;
+use crate::plan::{Grounding, Room};
+use critreg::domain::{State, Task};
+use critreg::env::stick_button::StickButton;
+use critreg::plan::skill::{Informed, Skills};
+use critreg::plan::{Conclusion, Config, Guide, Planned, Planner, Sampler, Simulated, Unguided};
+use rand_core::Rng;
+use std::time::Instant;
+
+/// What is known when a task is planned.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Known<'a> {
+    /// Nothing: the original sampler.
+    Nothing,
+    /// The region of the thesis.
+    LowerHalf,
+    /// Learned regions.
+    Skills(&'a Skills<'a>),
+}
+
+/// Sums over planned tasks.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Row {
+    tests: String,
+    sampler: String,
+    tasks: u32,
+    solved: u32,
+    samples: u64,
+    samples_max: u32,
+    plan_length: u64,
+    skeletons: u64,
+    postponed: u64,
+    began_anew: u32,
+    seconds: f64,
+    /// How often was learned.
+    pub(super) learners: u32,
+    /// Regions that were found.
+    pub(super) regions: u32,
+    /// Controllers that were run to learn.
+    pub(super) learning_calls: u64,
+}
+
+impl Row {
+    /// A row of these tests with this sampler.
+    pub(super) fn new(tests: &str, sampler: &str) -> Row {
+        Row {
+            tests: tests.into(),
+            sampler: sampler.into(),
+            ..Row::default()
+        }
+    }
+
+    /// Plans a task. Lots and samples are the numbers that `numbers` begins, with each
+    /// skeleton again.
+    ///
+    /// # Panics
+    /// If planning fails with an error.
+    pub(super) fn plan<R: Rng + Clone>(
+        &mut self,
+        task: &Task,
+        known: Known<'_>,
+        numbers: impl Fn() -> R,
+        room: &mut Room,
+    ) {
+        let started = Instant::now();
+        let grounding = Grounding::new(task).expect("room for the task");
+        let world = grounding.simulated();
+        let problem = (task, &grounding);
+        let planned = match known {
+            Known::Nothing => plan(problem, (world, Unguided), numbers, room),
+            Known::LowerHalf => plan(problem, (LowerHalf(world), Unguided), numbers, room),
+            Known::Skills(skills) => {
+                let informed = Informed::new(&ENVIRONMENT, skills, &task.initial);
+                plan(problem, (informed, informed), numbers, room)
+            }
+        };
+        self.seconds += started.elapsed().as_secs_f64();
+        self.add(task, &planned);
+    }
+
+    fn add(&mut self, task: &Task, planned: &Planned<'_, State>) {
+        self.tasks += 1;
+        let metrics = &planned.metrics;
+        self.began_anew += u32::from(metrics.advised.is_some());
+        if planned.conclusion == Conclusion::Solved {
+            let end = planned
+                .steps
+                .last()
+                .map_or(&task.initial, |step| &step.state);
+            assert!(task.is_solved(&ENVIRONMENT, end), "the plan does not work");
+            self.solved += 1;
+            self.samples += u64::from(metrics.samples);
+            self.samples_max = self.samples_max.max(metrics.samples);
+            self.plan_length += u64::from(metrics.plan_length);
+            self.skeletons += u64::from(metrics.skeletons);
+            self.postponed += u64::from(metrics.postponed + metrics.pruned);
+        }
+    }
+
+    fn mean(&self, sum: u64) -> f64 {
+        sum as f64 / f64::from(self.solved.max(1))
+    }
+
+    /// Prints a `key: value` line each.
+    pub(super) fn print(&self) {
+        println!("tests: {}", self.tests);
+        println!("sampler: {}", self.sampler);
+        println!("solved: {}/{}", self.solved, self.tasks);
+        println!("samples_mean: {:.4}", self.mean(self.samples));
+        println!("samples_max: {}", self.samples_max);
+        println!("plan_length_mean: {:.4}", self.mean(self.plan_length));
+        let per_step = self.samples as f64 / self.plan_length.max(1) as f64;
+        println!("samples_per_step: {per_step:.4}");
+        println!("skeletons_mean: {:.4}", self.mean(self.skeletons));
+        println!("pruned_mean: {:.4}", self.mean(self.postponed));
+        println!("began_anew: {}", self.began_anew);
+        println!(
+            "time_us_mean: {:.1}",
+            1e6 * self.seconds / f64::from(self.tasks.max(1))
+        );
+        if self.learners > 0 {
+            let each = |sum: f64| sum / f64::from(self.learners);
+            println!("learners: {}", self.learners);
+            println!("regions_mean: {:.2}", each(f64::from(self.regions)));
+            println!(
+                "learning_calls_mean: {:.1}",
+                each(self.learning_calls as f64)
+            );
+        }
+    }
+
+    /// Prints after how many planned tasks learning has cost less than it saves.
+    pub(super) fn print_payback(&self, original: &Row) {
+        let saved = original.mean(original.samples) - self.mean(self.samples);
+        let calls = self.learning_calls as f64 / f64::from(self.learners.max(1));
+        println!("paid_back_after_tasks: {:.0}", (calls / saved).ceil());
+    }
+}
+
+fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide, R: Rng + Clone>(
+    (task, grounding): (&Task, &'m Grounding),
+    (mut sampler, mut guide): (S, G),
+    numbers: impl Fn() -> R,
+    room: &'m mut Room,
+) -> Planned<'m, State> {
+    let mut planner = Planner {
+        world: &mut grounding.simulated(),
+        sampler: &mut sampler,
+        guide: &mut guide,
+        config: Config::default(),
+    };
+    let (abstracted, initial) = (grounding.task(), &task.initial);
+    let planned = planner.plan(abstracted, initial, numbers(), &numbers, room.lend());
+    planned.expect("the environment does not fail")
+}
