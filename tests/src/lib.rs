@@ -3,6 +3,7 @@ pub mod arm;
 pub mod by_hand;
 pub mod data;
 pub mod pick;
+pub mod picture;
 pub mod plan;
 pub mod report;
 pub mod room;
