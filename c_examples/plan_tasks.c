@@ -322,7 +322,7 @@ int main(int argc, char **argv)
     known.pick = learn("picking the stick", pick_memory, sizeof pick_memory,
                        critreg_stick_button_domain(), 4, 1, critreg_stick_button_pick);
     known.chain = learn("picking it and pressing with it", chain_memory, sizeof chain_memory,
-                        critreg_stick_button_domain(), 10, 2, try_chain);
+                        critreg_stick_button_domain(), 20, 2, try_chain);
     known.hand = learn("pressing by hand", hand_memory, sizeof hand_memory, STATE, INSTANCES, 1,
                        try_hand);
     fprintf(stderr, "planning\n");

@@ -101,64 +101,86 @@ proptest! {
             prop_assert_eq!(learner.membership(&problem, &query).unwrap(), expected, "{:?}", query);
         }
     }
+}
 
-    #[test]
-    fn the_order_of_objects_and_instances_changes_names_only(seed in any::<u64>()) {
-        let learned = |objects: [&str; 2], backwards: bool| {
-            let [first, second] = objects;
-            let text = format!(
-                "object {first} {{ x: length, y: length }}
+/// Learning is a matter of chance, and which samples are drawn depends on the order:
+/// so the regions must be the same for nearly all seeds, not for each.
+#[test]
+fn the_order_of_objects_and_instances_changes_names_only() {
+    let same = (0..20).filter(|seed| agreement(*seed) >= 990).count();
+    assert!(same >= 18, "{same} of 20 seeds");
+}
+
+/// How many of 1000 samples three regions agree about, that were learned from the same
+/// things in another order.
+fn agreement(seed: u64) -> usize {
+    let learned = |objects: [&str; 2], backwards: bool| {
+        let [first, second] = objects;
+        let text = format!(
+            "object {first} {{ x: length, y: length }}
                  object {second} {{ x: length, y: length }}
                  constant margin = 0.25: length
                  parameter px in [0, 4]: length
                  parameter py in [0, 4]: length
                  point hand = world + (px, py)"
-            );
-            let domain = Domain::parse(text.leak()).unwrap();
-            let mut rng = generator(seed);
-            let mut places: Vec<[f64; 4]> = (0..8)
-                .map(|_| [(); 4].map(|()| 0.5 + 3.0 * uniform(&mut rng)))
-                .collect();
-            if backwards {
-                places.reverse();
-            }
-            let cup_first = first == "cup";
-            let instances: Vec<f64> = places
-                .iter()
-                .flat_map(|[a, b, c, d]| if cup_first { [*a, *b, *c, *d] } else { [*c, *d, *a, *b] })
-                .collect();
-            let problem = Problem::new(&domain, &instances, 8).unwrap();
-            let mut room = room(4000, 200, 8);
-            let capacity = room.capacity;
-            let config = Config { seed, calls: 200, ..Config::default() };
-            let mut learner =
-                VersionSpace::<f64>::new(&domain, config, capacity, room.lend()).unwrap();
-            let region: Region = learn_region(&mut learner, &problem, |_, query| {
-                let [cup_x, cup_y, lamp_x, _] = places[query.instance];
-                let [x, y, ..] = query.theta;
-                let works = (x - cup_x).hypot(y - cup_y) >= 0.75 && x <= lamp_x - 0.25;
-                Ok::<_, Error>(Answer::from_feasible(works))
-            })
-            .unwrap()
-            .clone();
-            (domain, region, cup_first)
-        };
-        let all = [
-            learned(["cup", "lamp"], false),
-            learned(["lamp", "cup"], false),
-            learned(["cup", "lamp"], true),
-        ];
-        let mut rng = generator(seed ^ 9);
-        let mut agree = 0;
-        for _ in 0..1000 {
-            let [a, b, c, d] = [(); 4].map(|()| 0.5 + 3.0 * uniform(&mut rng));
-            let theta = [(); 2].map(|()| 4.0 * uniform(&mut rng));
-            let verdicts = all.each_ref().map(|(domain, region, cup_first)| {
-                let instance = if *cup_first { [a, b, c, d] } else { [c, d, a, b] };
-                region.contains::<f64>(domain, &instance, &theta).unwrap()
-            });
-            agree += usize::from(verdicts.iter().all(|v| *v == verdicts[0]));
+        );
+        let domain = Domain::parse(text.leak()).unwrap();
+        let mut rng = generator(seed);
+        let mut places: Vec<[f64; 4]> = (0..8)
+            .map(|_| [(); 4].map(|()| 0.5 + 3.0 * uniform(&mut rng)))
+            .collect();
+        if backwards {
+            places.reverse();
         }
-        prop_assert!(agree >= 990, "{agree} of 1000 samples");
+        let cup_first = first == "cup";
+        let instances: Vec<f64> = places
+            .iter()
+            .flat_map(|[a, b, c, d]| {
+                if cup_first {
+                    [*a, *b, *c, *d]
+                } else {
+                    [*c, *d, *a, *b]
+                }
+            })
+            .collect();
+        let problem = Problem::new(&domain, &instances, 8).unwrap();
+        let mut room = room(4000, 200, 8);
+        let capacity = room.capacity;
+        let config = Config {
+            seed,
+            calls: 200,
+            ..Config::default()
+        };
+        let mut learner = VersionSpace::<f64>::new(&domain, config, capacity, room.lend()).unwrap();
+        let region: Region = learn_region(&mut learner, &problem, |_, query| {
+            let [cup_x, cup_y, lamp_x, _] = places[query.instance];
+            let [x, y, ..] = query.theta;
+            let works = (x - cup_x).hypot(y - cup_y) >= 0.75 && x <= lamp_x - 0.25;
+            Ok::<_, Error>(Answer::from_feasible(works))
+        })
+        .unwrap()
+        .clone();
+        (domain, region, cup_first)
+    };
+    let all = [
+        learned(["cup", "lamp"], false),
+        learned(["lamp", "cup"], false),
+        learned(["cup", "lamp"], true),
+    ];
+    let mut rng = generator(seed ^ 9);
+    let mut agree = 0;
+    for _ in 0..1000 {
+        let [a, b, c, d] = [(); 4].map(|()| 0.5 + 3.0 * uniform(&mut rng));
+        let theta = [(); 2].map(|()| 4.0 * uniform(&mut rng));
+        let verdicts = all.each_ref().map(|(domain, region, cup_first)| {
+            let instance = if *cup_first {
+                [a, b, c, d]
+            } else {
+                [c, d, a, b]
+            };
+            region.contains::<f64>(domain, &instance, &theta).unwrap()
+        });
+        agree += usize::from(verdicts.iter().all(|v| *v == verdicts[0]));
     }
+    agree
 }

@@ -20,11 +20,19 @@
 //! Seung, Opper and Sompolinsky 1992); where all agree, in the widest gap between
 //! S and G. Some questions look anywhere, for a gap that nobody suspects.
 //!
-//! *Soft boundaries.* Some actions work now and then just beyond a boundary, or fail
-//! just before it. Where [`Config::slack`] allows, few extreme feasible samples do
-//! not widen S, and few infeasible ones just inside of a bound are excused; each
-//! has its price. Without slack, or without such samples, the region agrees with
-//! every answer.
+//! *Which explanation is best* is a matter of length in bits: that of its constraints,
+//! and that of what strays from them (minimum description length, Rissanen 1978). When
+//! it becomes longer, or when nothing is left to ask, there is an election among
+//! explanations that are improved constraint by constraint.
+//!
+//! *Soft boundaries.* Some actions work a little beyond a boundary, or fail a little
+//! before it. Where [`Config::slack`] allows, an instance may have a boundary of its
+//! own, for a price that grows with how far it lies off. Without slack, or without such
+//! instances, the region agrees with every answer.
+//!
+//! *More than bounds.* Where no bound excludes an infeasible sample, or only many do, a
+//! constraint may have two bounds, one of which must hold: an excluded interval of one
+//! form, or a feasible set of two pieces.
 //!
 //! *Names.* If the simplest constant expression of the grammar in [S, G) is the
 //! only one of its kind, it is the threshold: measurements then end in exact
@@ -47,10 +55,10 @@
 //! *Actions without parameters* are sampled by their instances, each once: the region
 //! tells in which states they work.
 //!
-//! *Honesty.* There is no region if an infeasible sample is excluded by no form,
-//! if the explanation is too complex for the number of samples that it explains,
-//! or if no instance has both feasible and infeasible samples: then the parameters
-//! were not shown to matter.
+//! *Honesty.* There is no region if an infeasible sample is excluded by nothing, if the
+//! explanation is not much shorter than the answers that it explains, or if no instance
+//! has both feasible and infeasible samples: then the parameters were not shown to
+//! matter.
 
 mod ask;
 mod bound;
