@@ -58,6 +58,10 @@ impl<R: Real> Chosen<R> {
         core::iter::once(&self.bound).chain(&self.or)
     }
 
+    fn bounds_mut(&mut self) -> impl Iterator<Item = &mut Bound<R>> {
+        core::iter::once(&mut self.bound).chain(&mut self.or)
+    }
+
     /// Whether its bounds have other ends than those of another.
     pub(super) fn is_elsewhere(&self, other: &Self) -> bool {
         let ends = |bound: &Bound<R>| (bound.side, bound.inner, bound.outer);
@@ -79,17 +83,20 @@ impl<R: Real> Chosen<R> {
         bits + second.unwrap_or(0.0)
     }
 
-    /// The infeasible samples that it excludes whichever threshold is true.
+    /// The infeasible samples of a step that it excludes whichever threshold is true.
     pub(super) fn excluded(&self, forms: &Forms<'_, R>, step: usize) -> Set {
+        let infeasible = forms.infeasible(step);
         let Some(or) = &self.or else {
-            return forms.excluded(&self.bound.side);
+            let mut set = forms.excluded(&self.bound.side);
+            intersect(&mut set, &infeasible);
+            return set;
         };
         let mut set = [0; MAX_WORDS];
         let beyond = |bound: &Bound<R>, sample: usize| {
             let value = forms.value_at(&bound.side, sample);
             value > bound.inner + tolerance(value)
         };
-        for sample in members(&forms.infeasible(step)) {
+        for sample in members(&infeasible) {
             if beyond(&self.bound, sample) && beyond(or, sample) {
                 insert(&mut set, sample);
             }
@@ -97,8 +104,11 @@ impl<R: Real> Chosen<R> {
         set
     }
 
-    /// Takes the feasible samples in.
+    /// Takes the samples of a step in: how far the forms range, and the feasible ones.
     fn widen(&mut self, forms: &Forms<'_, R>, step: usize) {
+        for bound in self.bounds_mut() {
+            bound.range = range(forms, &bound.side, step);
+        }
         let Some(or) = &mut self.or else {
             self.bound.inner = forms.last_feasible(&self.bound.side, step);
             return;
@@ -112,19 +122,27 @@ impl<R: Real> Chosen<R> {
     /// Puts its bounds between the feasible samples and those that it must exclude.
     fn fit(&self, forms: &Forms<'_, R>, step: usize, own: &Set, slack: f64) -> Option<Self> {
         let mut fitted = *self;
-        let range = range(forms, &self.bound.side, step);
-        if let Some(or) = &mut fitted.or {
-            let first = |side: &Side| first_of(forms, side, own);
-            fitted.bound.range = range;
-            fitted.bound.outer = first(&self.bound.side);
-            or.range = self::range(forms, &or.side, step);
-            or.outer = first(&or.side);
+        if self.or.is_some() {
+            for bound in fitted.bounds_mut() {
+                bound.outer = first_of(forms, &bound.side, own);
+            }
             return Some(fitted);
         }
         let feasible = forms.feasible(step);
-        fitted.bound = Bound::between(forms, self.bound.side, &feasible, own, range, slack)?;
+        let Bound { side, range, .. } = self.bound;
+        fitted.bound = Bound::between(forms, side, &feasible, own, range, slack)?;
         Some(fitted)
     }
+}
+
+/// Which infeasible samples of a step constraints exclude together.
+struct Overlap {
+    /// At least one does.
+    once: Set,
+    /// More than one does.
+    twice: Set,
+    /// None does.
+    open: Set,
 }
 
 /// An explanation of one step's infeasible samples.
@@ -215,17 +233,11 @@ impl<R: Real> Cover<R> {
 
     /// What its constraints exclude whichever thresholds are true.
     fn excluded(&self, forms: &Forms<'_, R>, step: usize) -> Set {
-        let mut set = [0; MAX_WORDS];
-        for chosen in &self.chosen {
-            let own = chosen.excluded(forms, step);
-            set.iter_mut().zip(own).for_each(|(word, own)| *word |= own);
-        }
-        intersect(&mut set, &forms.infeasible(step));
-        set
+        self.overlap(forms, step).once
     }
 
-    /// The infeasible samples that more than one constraint excludes.
-    fn shared(&self, forms: &Forms<'_, R>, step: usize) -> Set {
+    /// What one constraint excludes at least, and what more than one does.
+    fn overlap(&self, forms: &Forms<'_, R>, step: usize) -> Overlap {
         let (mut once, mut twice): (Set, Set) = ([0; MAX_WORDS], [0; MAX_WORDS]);
         for chosen in &self.chosen {
             let own = chosen.excluded(forms, step);
@@ -234,22 +246,23 @@ impl<R: Real> Cover<R> {
                 *once |= own;
             }
         }
-        intersect(&mut twice, &forms.infeasible(step));
-        twice
+        let mut open = forms.infeasible(step);
+        remove(&mut open, &once);
+        Overlap { once, twice, open }
     }
 
     /// The infeasible samples that only this constraint can exclude: those that only
     /// it does, and those that none does but that are nearest to it.
-    fn alone(&self, forms: &Forms<'_, R>, step: usize, index: usize) -> Set {
-        let Some(chosen) = self.chosen.get(index) else {
-            return [0; MAX_WORDS];
-        };
+    fn alone(
+        &self,
+        forms: &Forms<'_, R>,
+        step: usize,
+        (index, chosen): (usize, &Chosen<R>),
+        overlap: &Overlap,
+    ) -> Set {
         let mut alone = chosen.excluded(forms, step);
-        intersect(&mut alone, &forms.infeasible(step));
-        remove(&mut alone, &self.shared(forms, step));
-        let mut open = forms.infeasible(step);
-        remove(&mut open, &self.excluded(forms, step));
-        for sample in members(&open) {
+        remove(&mut alone, &overlap.twice);
+        for sample in members(&overlap.open) {
             if self.nearest(forms, sample) == Some(index) {
                 insert(&mut alone, sample);
             }
@@ -280,25 +293,21 @@ impl<R: Real> Cover<R> {
     pub(super) fn measure(&mut self, forms: &Forms<'_, R>, step: usize, slack: f64) {
         for chosen in &mut self.chosen {
             chosen.widen(forms, step);
-            chosen.bound.range = range(forms, &chosen.bound.side, step);
         }
-        let mut open = forms.infeasible(step);
-        remove(&mut open, &self.excluded(forms, step));
-        self.complete = members(&open).all(|sample| self.nearest(forms, sample).is_some());
+        let overlap = self.overlap(forms, step);
+        let mut open = members(&overlap.open);
+        self.complete = open.all(|sample| self.nearest(forms, sample).is_some());
         let mut fitted: Vec<Chosen<R>, MAX_COVER> = Vec::new();
         for (index, chosen) in self.chosen.iter().enumerate() {
-            let alone = self.alone(forms, step, index);
+            let alone = self.alone(forms, step, (index, chosen), &overlap);
             let fit = chosen.fit(forms, step, &alone, slack);
             self.complete &= fit.is_some();
             let mut new = fit.unwrap_or(*chosen);
-            let mut support = chosen.excluded(forms, step);
-            intersect(&mut support, &forms.infeasible(step));
-            new.support = count(&support) as u32;
+            new.support = count(&chosen.excluded(forms, step)) as u32;
             let _ = fitted.push(new);
         }
-        let shared = self.shared(forms, step);
         self.chosen = fitted;
-        for sample in members(&shared) {
+        for sample in members(&overlap.twice) {
             self.own(forms, sample);
         }
     }
@@ -323,7 +332,7 @@ impl<R: Real> Cover<R> {
             }
         }
         let Some((_, chosen)) = farthest else { return };
-        for bound in core::iter::once(&mut chosen.bound).chain(&mut chosen.or) {
+        for bound in chosen.bounds_mut() {
             bound.outer = bound.outer.min(forms.value_at(&bound.side, sample));
         }
     }
@@ -356,9 +365,10 @@ impl<R: Real> Cover<R> {
     ) -> bool {
         let mut improved = false;
         for index in 0..self.chosen.len() {
-            let alone = self.alone(forms, step, index);
             let mut others = self.chosen.clone();
             let old = others.remove(index);
+            let overlap = self.overlap(forms, step);
+            let alone = self.alone(forms, step, (index, &old), &overlap);
             let needed = (MOST * count(&alone) as f64) as u32;
             let (mut best, mut least) = (old, old.bits(forms, &others) + details(&old) - SHORTER);
             forms.for_each_count(&alone, |side, count| {
@@ -366,6 +376,7 @@ impl<R: Real> Cover<R> {
                 if count < needed || new.bits(forms, &others) >= least {
                     return;
                 }
+                new.bound.range = range(forms, &side, step);
                 if let Some(fitted) = new.fit(forms, step, &alone, slack) {
                     new = fitted;
                     let mut bits = new.bits(forms, &others);
