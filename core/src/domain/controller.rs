@@ -30,8 +30,32 @@ pub struct Controller<E: Environment> {
     pub initiable: OfAction<E, bool>,
     /// What it commands in a state.
     pub policy: OfAction<E, E::Action>,
-    /// Whether it is done in a state.
-    pub terminal: OfAction<E, bool>,
+    /// When it is done.
+    pub terminal: Terminal<E>,
+}
+
+/// When a controller is done.
+pub enum Terminal<E> {
+    /// As soon as this holds in a state.
+    When(OfAction<E, bool>),
+    /// After its first action, whatever came of it.
+    FirstAction,
+}
+
+impl<E> Terminal<E> {
+    fn holds(
+        &self,
+        environment: &E,
+        state: &State,
+        objects: &[ObjectId],
+        parameters: &[f32],
+        actions: u32,
+    ) -> bool {
+        match self {
+            Terminal::When(holds) => holds(environment, state, objects, parameters),
+            Terminal::FirstAction => actions > 0,
+        }
+    }
 }
 
 /// An `initiable` for controllers that can always start.
@@ -87,7 +111,11 @@ pub fn rollout<E: Environment>(
         return back_at_start(Ending::NotInitiable);
     }
     let mut run = back_at_start(Ending::StepLimit);
-    if (controller.terminal)(environment, start, objects, parameters) {
+    let is_done = |state: &State, actions| {
+        let terminal = &controller.terminal;
+        terminal.holds(environment, state, objects, parameters, actions)
+    };
+    if is_done(start, 0) {
         run.ending = Ending::Terminal;
         return run;
     }
@@ -99,7 +127,7 @@ pub fn rollout<E: Environment>(
             return back_at_start(Ending::Failed(failure));
         }
         run.actions += 1;
-        if (controller.terminal)(environment, &run.state, objects, parameters) {
+        if is_done(&run.state, run.actions) {
             run.ending = Ending::Terminal;
             break;
         }

@@ -102,7 +102,7 @@ pub use atom::{
     Arguments, GroundAtom, Groundings, LiftedAtom, MAX_ARGUMENTS, Predicate, PredicateId,
 };
 pub use controller::{
-    Controller, ControllerId, Ending, OfAction, Parameters, Rollout, always, rollout,
+    Controller, ControllerId, Ending, OfAction, Parameters, Rollout, Terminal, always, rollout,
 };
 pub use dimension::Dimension;
 pub use environment::{Environment, Failure};

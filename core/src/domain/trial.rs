@@ -104,7 +104,7 @@ mod tests {
     use super::*;
     use crate::domain::{
         Attribute, Controller, ControllerId, Dimension, Naming, ObjectType, OperatorId, Predicate,
-        PredicateId, TypeId,
+        PredicateId, Terminal, TypeId,
     };
     use rand_pcg::Pcg32;
 
@@ -162,11 +162,10 @@ mod tests {
                 parameters: &[[-1.0, 1.0], [0.0, 10.0]],
                 initiable: |_, _, _, theta| theta.len() == 2,
                 policy: |_, _, _, theta| theta.first().copied().map_or(0.0, f64::from),
-                terminal: |_, state, _, theta| {
-                    theta
-                        .get(1)
-                        .is_some_and(|end| position(state) >= f64::from(*end))
-                },
+                terminal: Terminal::When(|_, state, _, theta| {
+                    let end = theta.get(1);
+                    end.is_some_and(|end| position(state) >= f64::from(*end))
+                }),
             }]
         }
 

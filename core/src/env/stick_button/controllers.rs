@@ -7,7 +7,7 @@ use super::{
     Action, BUTTON_TYPE, HOLDER, HOLDER_HEIGHT, MAX_ANGULAR_SPEED, MAX_SPEED, ROBOT_TYPE,
     STICK_HEIGHT, STICK_TYPE, STICK_WIDTH, StickButton, TARGET_TOLERANCE, UPRIGHT,
 };
-use crate::domain::{Controller, ControllerId, ObjectId, State, always};
+use crate::domain::{Controller, ControllerId, ObjectId, State, Terminal, always};
 use crate::geometry::{Intersects, distance_squared};
 use crate::real::Real;
 
@@ -32,7 +32,7 @@ pub(super) static CONTROLLERS: [Controller<StickButton>; 4] = [
         policy: |_, state, objects, parameters| {
             pick_stick(state, objects, parameters).unwrap_or(REST)
         },
-        terminal: |_, state, _, _| is_held(state) == Some(true),
+        terminal: Terminal::When(|_, state, _, _| is_held(state) == Some(true)),
     },
     Controller {
         name: "PlaceStick",
@@ -42,7 +42,7 @@ pub(super) static CONTROLLERS: [Controller<StickButton>; 4] = [
         policy: |_, state, objects, parameters| {
             place_stick(state, objects, parameters).unwrap_or(REST)
         },
-        terminal: |_, state, _, _| is_held(state) == Some(false),
+        terminal: Terminal::When(|_, state, _, _| is_held(state) == Some(false)),
     },
     Controller {
         name: "RobotPressButton",
@@ -50,7 +50,7 @@ pub(super) static CONTROLLERS: [Controller<StickButton>; 4] = [
         parameters: &[],
         initiable: always,
         policy: |_, state, objects, _| robot_press_button(state, objects).unwrap_or(REST),
-        terminal: |_, state, objects, _| is_pressed(state, objects.get(1)),
+        terminal: Terminal::When(|_, state, objects, _| is_pressed(state, objects.get(1))),
     },
     Controller {
         name: "StickPressButton",
@@ -58,7 +58,7 @@ pub(super) static CONTROLLERS: [Controller<StickButton>; 4] = [
         parameters: &[],
         initiable: always,
         policy: |_, state, objects, _| stick_press_button(state, objects).unwrap_or(REST),
-        terminal: |_, state, objects, _| is_pressed(state, objects.get(2)),
+        terminal: Terminal::When(|_, state, objects, _| is_pressed(state, objects.get(2))),
     },
 ];
 
