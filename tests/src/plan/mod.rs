@@ -106,6 +106,11 @@ impl<'e, E: Environment> Grounding<'e, E> {
         }
     }
 
+    /// The environment.
+    pub fn environment(&self) -> &'e E {
+        self.environment
+    }
+
     /// The environment with the task's atoms: world and original sampler.
     pub fn simulated(&self) -> Simulated<'_, E> {
         Simulated {

@@ -164,6 +164,11 @@ impl<'m> Skills<'m> {
     }
 
     /// One of them, by its place.
+    pub fn get(&self, index: usize) -> Option<&Skill> {
+        self.skills.get(index)?.as_ref()
+    }
+
+    /// One of them, by its place, to change.
     pub fn get_mut(&mut self, index: usize) -> Option<&mut Skill> {
         self.skills.get_mut(index)?.as_mut()
     }

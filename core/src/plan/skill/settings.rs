@@ -66,42 +66,42 @@ struct Grounded<'t, 'o, E> {
     operators: &'o [GroundOperator],
 }
 
-/// Collects settings from training tasks. Returns how many there are, and how many
-/// controllers were run to get there.
-///
-/// Those of a skill with parameters are chosen to differ ([`Selection`]), because few
-/// are tried; those of others come in the order of the tasks. Where an operator is not
-/// applicable in the initial state it is planned for, with the skills learned so far
-/// (the thesis's single-operator task plans).
-pub(super) fn collect<E: Describe>(
-    environment: &E,
-    skills: &Skills<'_>,
-    skill: &Skill,
-    tasks: &[Task],
-    wanted: usize,
-    memory: &mut TrainingMemory<'_>,
-) -> Result<(usize, u32), Error> {
-    let candidates = enumerate(environment, skill, tasks, memory)?;
-    let (mut count, mut calls) = (0, 0);
-    let sampled = !skill.domain.parameters().is_empty();
-    let mut selection = Selection::new(candidates, sampled);
-    while count < wanted.min(memory.settings.len()) {
-        let Some(candidate) = selection.next(skill, memory)? else {
-            break;
-        };
-        let Some(task) = tasks.get(usize::from(candidate.task)) else {
-            break;
-        };
-        let planner = memory.planner.reborrow();
-        let grounded = Grounded::new(environment, skills, task, memory.operators)?;
-        let (setting, runs) = grounded.realise(skill, &candidate, planner)?;
-        calls += runs;
-        if let (Some(setting), Some(place)) = (setting, memory.settings.get_mut(count)) {
-            *place = Some(setting);
-            count += 1;
+impl Skills<'_> {
+    /// Collects so many settings of a skill from tasks. Returns how many there are, and
+    /// how many controllers were run to get there.
+    ///
+    /// They are chosen to differ ([`Selection`]), or they come in the order of the tasks.
+    /// Where an operator is not applicable in the initial state it is planned for, with
+    /// the skills learned so far (the thesis's single-operator task plans).
+    pub(super) fn collect<E: Describe>(
+        &self,
+        skill: &Skill,
+        environment: &E,
+        tasks: &[Task],
+        (wanted, spread): (usize, bool),
+        memory: &mut TrainingMemory<'_>,
+    ) -> Result<(usize, u32), Error> {
+        let candidates = enumerate(environment, skill, tasks, memory)?;
+        let mut selection = Selection::new(candidates, spread);
+        let (mut count, mut calls) = (0, 0);
+        while count < wanted.min(memory.settings.len()) {
+            let Some(candidate) = selection.next(skill, memory)? else {
+                break;
+            };
+            let Some(task) = tasks.get(usize::from(candidate.task)) else {
+                break;
+            };
+            let planner = memory.planner.reborrow();
+            let grounded = Grounded::new(environment, self, task, memory.operators)?;
+            let (setting, runs) = grounded.realise(skill, &candidate, planner)?;
+            calls += runs;
+            if let (Some(setting), Some(place)) = (setting, memory.settings.get_mut(count)) {
+                *place = Some(setting);
+                count += 1;
+            }
         }
+        Ok((count, calls))
     }
-    Ok((count, calls))
 }
 
 /// Lists candidates in the order of the tasks, as many as there is room for, with the

@@ -1,6 +1,5 @@
 //! Learning the region of a skill.
 
-use super::settings::collect;
 use super::{Candidate, Describe, Setting, Skill, Skills};
 use crate::domain::{Domain, GroundOperator, State, Task};
 use crate::error::Error;
@@ -33,6 +32,8 @@ impl Default for Training {
         }
     }
 }
+
+const NO_SKILL: Error = Error::InvalidArgument("there is no skill with this index");
 
 /// The memory of learning a skill. All of it can be used again for the next.
 #[derive(Debug)]
@@ -68,6 +69,26 @@ pub struct Learned {
 }
 
 impl Skills<'_> {
+    /// Collects settings of the skill at an index from tasks, in their order, into
+    /// `memory.settings`, up to so many: to judge what was learned. Returns how many
+    /// there are.
+    ///
+    /// # Errors
+    /// Those of [`Skills::learn`].
+    pub fn settings<E: Describe>(
+        &self,
+        index: usize,
+        environment: &E,
+        tasks: &[Task],
+        wanted: usize,
+        mut memory: TrainingMemory<'_>,
+    ) -> Result<usize, Error> {
+        let skill = self.get(index).ok_or(NO_SKILL)?;
+        let wanted = (wanted, false);
+        let (count, _) = self.collect(skill, environment, tasks, wanted, &mut memory)?;
+        Ok(count)
+    }
+
     /// Learns the skill at an index of the descriptions from training tasks, with the
     /// skills learned so far. That there is no region is no error.
     ///
@@ -85,9 +106,7 @@ impl Skills<'_> {
         training: &Training,
         mut memory: TrainingMemory<'_>,
     ) -> Result<Learned, Error> {
-        const NO_SKILL: Error = Error::InvalidArgument("there is no skill with this index");
-        let skill = self.skills.get(index).and_then(Option::as_ref);
-        let skill = skill.ok_or(NO_SKILL)?;
+        let skill = self.get(index).ok_or(NO_SKILL)?;
         let (later, domain) = (skill.description.later, skill.domain.clone());
         let sampled = !domain.parameters().is_empty();
         let wanted = match sampled {
@@ -95,7 +114,8 @@ impl Skills<'_> {
             false => training.states,
         };
         let wanted = wanted.min(memory.capacity.instances);
-        let (count, calls) = collect(environment, self, skill, tasks, wanted, &mut memory)?;
+        let (count, calls) =
+            self.collect(skill, environment, tasks, (wanted, sampled), &mut memory)?;
         let mut learned = Learned {
             region: false,
             instances: count,
@@ -147,6 +167,23 @@ impl Skills<'_> {
     }
 }
 
+impl Skill {
+    /// Writes the instance of a setting to `out`, which has a place for each number.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if the setting is not one of this skill.
+    pub fn instance<E: Describe>(
+        &self,
+        environment: &E,
+        setting: &Setting,
+        out: &mut [f64],
+    ) -> Result<(), Error> {
+        setting.with_scope(environment, self.description.among, |scope| {
+            self.binding.instance(scope, out)
+        })
+    }
+}
+
 /// The numbers of the instances of all settings.
 fn instances<'n, E: Describe>(
     skill: &Skill,
@@ -159,9 +196,7 @@ fn instances<'n, E: Describe>(
     let numbers = numbers.get_mut(..settings.len() * length).ok_or(FULL)?;
     let places = numbers.chunks_exact_mut(length.max(1));
     for (setting, place) in settings.iter().flatten().zip(places) {
-        setting.with_scope(environment, skill.description.among, |scope| {
-            skill.binding.instance(scope, place)
-        })?;
+        skill.instance(environment, setting, place)?;
     }
     Ok(numbers)
 }

@@ -44,7 +44,11 @@ impl Skills<'_> {
     /// Tries a setting with parameters of its operator; those of the operators after it
     /// are drawn from what is known, and so are its own if there are none. Returns also
     /// how many controllers were run.
-    pub(super) fn attempt<E: Describe>(
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if an operator is not of this environment, and those of
+    /// [`Informed`].
+    pub fn attempt<E: Describe>(
         &mut self,
         environment: &E,
         setting: &Setting,
