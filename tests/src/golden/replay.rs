@@ -20,9 +20,9 @@ pub struct Counts {
     pub atoms: usize,
     /// Operators with one vector of parameters each.
     pub feasibility: usize,
-    /// The same in chains, beginnings and continuations.
+    /// The same in chains, first and later steps.
     pub chains: usize,
-    /// The feasible among all of these operators.
+    /// The feasible among both.
     pub feasible: usize,
     /// Tasks.
     pub tasks: usize,
@@ -148,7 +148,7 @@ fn replay_trials<E: Environment>(
                 "{ours} for {code}: {}",
                 what()
             );
-            counts.feasible += usize::from(outcome.is_feasible());
+            counts.feasible += usize::from(*code == '1');
             cases += usize::from(*code != NOT_RECORDED);
             end = Some(outcome.state);
         }
