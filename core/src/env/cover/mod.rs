@@ -72,13 +72,13 @@ mod plain;
 mod predicates;
 mod regrasp;
 mod skills;
-mod table;
+mod world;
 mod tasks;
 
 pub use bumpy::{BUMPY_REGION, RegionalBumpyCover};
 pub use plain::Cover;
 pub use regrasp::CoverRegrasp;
-pub use table::{Block, Target, blocks, targets};
+pub use world::{Block, Target, blocks, targets};
 
 use crate::domain::{Attribute, Dimension, Naming, ObjectId, ObjectType, TypeId};
 

@@ -1,6 +1,6 @@
 //! The predicates that several of the environments have.
 
-use super::table::{Block, Target, blocks};
+use super::world::{Block, Target, blocks};
 use super::{BLOCK_TYPE, TARGET_TYPE};
 use crate::domain::{ObjectId, Predicate, State};
 

@@ -2,7 +2,7 @@
 //! them.
 
 use super::skills::{atom, controller, parameters, sample_pick, sample_place};
-use super::table::{Block, Rules, Target, targets};
+use super::world::{Block, Rules, Target, targets};
 use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES, predicates};
 use crate::domain::{
     Controller, ControllerId, Environment, Failure, LiftedAtom, ObjectId, ObjectType, Operator,

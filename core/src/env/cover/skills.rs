@@ -1,7 +1,7 @@
 //! What operators, controllers and samplers of the family share.
 
 use super::Action;
-use super::table::{Block, Target, around};
+use super::world::{Block, Target, around};
 use crate::domain::{
     Controller, Environment, LiftedAtom, Parameters, PredicateId, Terminal, TypeId, always,
 };

@@ -1,6 +1,6 @@
 //! What lies on the table, and what a click does to it.
 
-use super::{BLOCK_TYPE, NOT_HELD, ROBOT, TARGET_TYPE};
+use super::{BLOCK_TYPE, NOT_HELD, ROBOT_TYPE, TARGET_TYPE};
 use crate::domain::{Failure, ObjectId, State};
 use crate::real::Real;
 use core::ops::RangeInclusive;
@@ -98,18 +98,18 @@ pub(super) fn around(pose: f64, reach: f64) -> RangeInclusive<f64> {
 pub(super) struct Rules {
     /// Whether the hand reaches a point.
     pub(super) reaches: fn(&State, f64) -> bool,
-    /// Whether a block can be put down by a click at a point.
+    /// Whether a block can be put down by a click at a point, if it meets no other.
     pub(super) supports: fn(&State, f64) -> bool,
 }
 
 impl Rules {
     /// The transition: picks the block at a point, or puts the held one down there. A
     /// click does nothing if it is out of reach, if the empty hand has no block below
-    /// it, or if the held block would meet another one.
+    /// it, or if the held block cannot be put down there.
     ///
     /// # Errors
-    /// [`Failure`] if two blocks lie at the point, which never happens, or the objects
-    /// are not those of the environment.
+    /// [`Failure`] if two blocks lie at the point, which never happens, or there is no
+    /// robot.
     pub(super) fn click(&self, state: &mut State, click: f64) -> Result<(), Failure> {
         if !(self.reaches)(state, click) {
             return Ok(());
@@ -136,7 +136,7 @@ impl Rules {
         }
     }
 
-    /// The held block put down, unless it would meet another one.
+    /// The held block as it is when put down; `None` if it cannot be.
     fn put(&self, state: &State, held: Block, click: f64) -> Option<Block> {
         let pose = click - held.grasp;
         let meets = |other: Block| {
@@ -153,7 +153,8 @@ impl Rules {
 }
 
 fn write(state: &mut State, block: &Block, hand: f64) -> Option<()> {
-    *state.attributes_mut(ROBOT)?.first_mut()? = hand;
+    let robot = state.of_type(ROBOT_TYPE).next()?;
+    *state.attributes_mut(robot)?.first_mut()? = hand;
     let [_, _, _, pose, grasp, ..] = state.attributes_mut(block.object)? else {
         return None;
     };
