@@ -128,6 +128,15 @@ impl Point<'_> {
     }
 }
 
+impl Domain<'_> {
+    /// Whether anything in the domain has a heading: an object's angle, or a turn.
+    pub fn has_headings(&self) -> bool {
+        let mut objects = self.objects.iter();
+        objects.any(|object| object.pose.angles != [None; 3])
+            || self.points.iter().any(|point| point.turn != [None; 3])
+    }
+}
+
 /// The outline of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {

@@ -66,7 +66,7 @@ impl Row {
         room: &mut Room,
     ) {
         let started = Instant::now();
-        let grounding = Grounding::new(task).expect("room for the task");
+        let grounding = Grounding::new(&ENVIRONMENT, task).expect("room for the task");
         let world = grounding.simulated();
         let problem = (task, &grounding);
         let planned = match known {
@@ -141,7 +141,7 @@ impl Row {
 }
 
 fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide, R: Rng + Clone>(
-    (task, grounding): (&Task, &'m Grounding),
+    (task, grounding): (&Task, &'m Grounding<'_, StickButton>),
     (mut sampler, mut guide): (S, G),
     numbers: impl Fn() -> R,
     room: &'m mut Room,

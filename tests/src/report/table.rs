@@ -78,8 +78,8 @@ fn algorithm1() {
     let mut room = Room::new(NODES);
     let mut row = Row::new("seed 0, 1 button", "learned by algorithm1");
     for seed in FIRST_SEED..FIRST_SEED + ALGORITHM1_SEEDS {
-        let mut skill_room = SkillRoom::default();
-        let mut skills = skill_room.lend();
+        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+        let mut skills = skill_room.lend(&ENVIRONMENT);
         match grasps(&skills, seed) {
             Ok(region) => {
                 row.regions += 1;
@@ -105,7 +105,10 @@ fn algorithm1() {
 
 /// The region of PickStick by Algorithm 1, with the thesis's set-up and four instances.
 fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
-    let skill = skills.find(PICK_STICK, None).expect("it is described");
+    let skill = skills
+        .about(PICK_STICK, None)
+        .next()
+        .expect("it is described");
     let states: Vec<State> = skills::tasks(seed, 1..=1, 4)
         .into_iter()
         .map(|t| t.initial)
@@ -113,9 +116,7 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
     let length = skill.binding().len();
     let mut instances = vec![0.0; states.len() * length];
     for (state, numbers) in states.iter().zip(instances.chunks_exact_mut(length)) {
-        skill
-            .binding()
-            .instance(state, &[ROBOT, STICK], &[], numbers)?;
+        skill.binding().instance(&pick::scope(state), numbers)?;
     }
     let problem = Problem::new(skill.domain(), &instances, states.len())?;
     let mut room = room::Room::new(20_000, 102);
@@ -148,8 +149,8 @@ fn version_space(seeds: u64) {
     let training = Training::default();
     let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training));
     for seed in 0..seeds {
-        let mut skill_room = SkillRoom::default();
-        let mut skills = skill_room.lend();
+        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+        let mut skills = skill_room.lend(&ENVIRONMENT);
         let learned = skills::learn(
             &mut skills,
             FIRST_SEED + seed,
