@@ -3,5 +3,6 @@
 //! Each implements [`crate::domain::Environment`]; nothing else in the library
 //! knows of any of them.
 
+pub mod blocks;
 pub mod cluttered_table;
 pub mod stick_button;
