@@ -1,6 +1,6 @@
 //! Cover with a bumpy region, where the bumpy block cannot be grasped at its middle.
 
-use super::skills::{atom, controller, parameters, sample_pick};
+use super::controllers::{atom, controller, parameters, sample_pick};
 use super::world::{Block, Rules, Target, blocks, targets};
 use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES_WITH_BUMPS, predicates};
 use crate::domain::{

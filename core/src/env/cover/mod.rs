@@ -68,12 +68,12 @@
 //! ```
 
 mod bumpy;
+mod controllers;
 mod plain;
 mod predicates;
 mod regrasp;
-mod skills;
-mod world;
 mod tasks;
+mod world;
 
 pub use bumpy::{BUMPY_REGION, RegionalBumpyCover};
 pub use plain::Cover;

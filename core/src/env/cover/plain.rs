@@ -1,6 +1,6 @@
 //! Cover: the hand reaches blocks and the centres of targets.
 
-use super::skills::{atom, controller, parameters, sample_pick, sample_place};
+use super::controllers::{atom, controller, parameters, sample_pick, sample_place};
 use super::world::{Block, Rules, Target, around, blocks, targets};
 use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES, predicates};
 use crate::domain::{

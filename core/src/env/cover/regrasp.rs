@@ -1,7 +1,7 @@
 //! Cover with regrasping: the hand reaches what is far from targets, and the middle of
 //! them.
 
-use super::skills::{atom, controller, parameters, sample_pick, sample_place};
+use super::controllers::{atom, controller, parameters, sample_pick, sample_place};
 use super::world::{Block, Rules, Target, targets};
 use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES, predicates};
 use crate::domain::{
