@@ -357,11 +357,11 @@ fn coordinates<'d>(
     dimension: Dimension,
     sampled: bool,
 ) -> impl Iterator<Item = Node> + 'd {
-    let spatial = domain.is_spatial();
-    let axes: &[Coordinate] = match dimension {
-        Dimension::Length if spatial => &[Coordinate::X, Coordinate::Y, Coordinate::Z],
-        Dimension::Length => &[Coordinate::X, Coordinate::Y],
-        Dimension::Angle => &[Coordinate::Theta],
+    let axes: &[Coordinate] = match (dimension, domain.axes()) {
+        (Dimension::Length, 1) => &[Coordinate::X],
+        (Dimension::Length, 2) => &[Coordinate::X, Coordinate::Y],
+        (Dimension::Length, _) => &[Coordinate::X, Coordinate::Y, Coordinate::Z],
+        (Dimension::Angle, _) => &[Coordinate::Theta],
         _ => &[],
     };
     let points = (0u8..).zip(domain.points());
@@ -400,11 +400,11 @@ fn relations<'d>(
     dimension: Dimension,
     sampled: bool,
 ) -> impl Iterator<Item = Node> + 'd {
-    let metrics: &[Metric] = match dimension {
-        Dimension::Length if domain.is_spatial() => {
-            &[Metric::X, Metric::Y, Metric::Z, Metric::Straight]
-        }
-        Dimension::Length => &[Metric::X, Metric::Y, Metric::Straight],
+    let metrics: &[Metric] = match (dimension, domain.axes()) {
+        // On a line there is one way to measure.
+        (Dimension::Length, 1) => &[Metric::Straight],
+        (Dimension::Length, 2) => &[Metric::X, Metric::Y, Metric::Straight],
+        (Dimension::Length, _) => &[Metric::X, Metric::Y, Metric::Z, Metric::Straight],
         _ => &[],
     };
     let angles = dimension == Dimension::Angle;

@@ -13,10 +13,11 @@
 //! | [`CoverRegrasp`] | what is far from all targets, and of each target the middle third | the same | put on the table, to grasp again |
 //! | [`RegionalBumpyCover`] | the targets and the blocks, but not the middle third of a bumpy block in the bumpy region | everything | put into the bumpy region; pick from it and from a target |
 //!
-//! The dynamics, predicates, operators and samplers are those of the Predicators
-//! framework's environments of these names to the last bit, edge cases included;
-//! only the task generators' stream of random numbers differs. All numbers are
-//! double precision except for the parameters, which are rounded to single precision.
+//! The dynamics, predicates and operators are those of the Predicators framework's
+//! environments of these names to the last bit, edge cases included; samplers and task
+//! generators draw from the same distributions, with another stream of random numbers.
+//! All numbers are double precision except for the parameters, which are rounded to
+//! single precision.
 //!
 //! # A state
 //!
@@ -72,6 +73,7 @@ mod controllers;
 mod plain;
 mod predicates;
 mod regrasp;
+mod skills;
 mod tasks;
 mod world;
 

@@ -40,8 +40,8 @@ impl CoverRegrasp {
 }
 
 /// The hand reaches a point that is at least the width of every target away from its
-/// ends, or within the middle third of one. As targets lie far apart, this is the
-/// union of intervals that the framework walks over from left to right.
+/// ends, or within the middle third of one. As the targets of all tasks lie far apart,
+/// this is the union of intervals that the framework walks over from left to right.
 static RULES: Rules = Rules {
     reaches: |state, p| {
         let fits = |target: Target| {
