@@ -63,7 +63,7 @@ impl TrainingRoom {
         };
         TrainingRoom {
             capacity,
-            settings: (0..instances).map(|_| None).collect(),
+            settings: (0..2 * instances).map(|_| None).collect(),
             candidates: vec![Candidate::default(); candidates],
             proposals: vec![Theta::default(); candidates],
             instances: vec![0.0; 64 * candidates],

@@ -1,219 +1,161 @@
 //! Which settings a skill is tried in.
 
 use super::Skill;
-use super::settings::Candidate;
 use super::training::TrainingMemory;
 use crate::domain::{Node, PointSet, Scene};
 use crate::error::Error;
 use crate::grammar::Features;
+use crate::real::Real;
+use crate::region::Theta;
 
 /// The most complex features that count.
 const COMPLEXITY: usize = 2;
 
-/// Chooses among candidates: each time the one that extends most what the chosen ones
-/// range over, summed over the features of the grammar, each in units of what all
-/// candidates range over.
+/// Moves those to the front, of `count` instances with proposals, that differ most: each
+/// time the one that does so most from those before it. In every feature of the grammar
+/// it is as far as the nearest of them, in units of what all instances range over, and
+/// these distances are summed. `swap` swaps what else belongs to two instances.
 ///
 /// A rare relation, such as an obstacle beside the target, is then among a dozen
 /// settings. At random it would hardly be, and what is never tried is never learned.
-pub(super) struct Selection {
-    /// How many candidates there are. The chosen ones stand first.
+pub(super) fn spread<'m>(
+    skill: &Skill,
+    memory: &mut TrainingMemory<'m>,
     count: usize,
-    chosen: usize,
-    /// Whether to choose; otherwise they come in their order.
-    spread: bool,
-}
-
-/// What a feature ranges over.
-#[derive(Clone, Copy)]
-struct Extent {
-    low: f64,
-    high: f64,
-}
-
-const NOTHING: Extent = Extent {
-    low: f64::INFINITY,
-    high: f64::NEG_INFINITY,
-};
-
-impl Extent {
-    fn with(self, value: f64) -> Extent {
-        if !value.is_finite() {
-            return self;
+    wanted: usize,
+    swap: impl Fn(&mut TrainingMemory<'m>, usize, usize),
+) -> Result<(), Error> {
+    for chosen in 0..wanted.min(count) {
+        let mut spread = Spread::new(skill, memory, wanted)?;
+        if chosen == 0 {
+            spread.survey(count)?;
         }
-        Extent {
-            low: self.low.min(value),
-            high: self.high.max(value),
+        let best = spread.best(chosen, count)?;
+        spread.keep(best, chosen)?;
+        if best != chosen {
+            swap_rows(memory.instances, skill.binding.len(), chosen, best);
+            swap_rows(memory.proposals, 1, chosen, best);
+            swap(memory, chosen, best);
         }
     }
-
-    fn size(self) -> f64 {
-        (self.high - self.low).max(0.0)
-    }
+    Ok(())
 }
 
-/// Features of the candidates. Of each there are four numbers: the lowest and highest value
-/// of all candidates, and of the chosen ones.
-struct Spread<'s> {
-    features: Features<'s, f64>,
-    skill: &'s Skill,
-    instances: &'s [f64],
-    proposals: &'s [crate::region::Theta],
-    extents: &'s mut [f64],
-}
-
-impl Selection {
-    pub(super) fn new(count: usize, spread: bool) -> Self {
-        Selection {
-            count,
-            chosen: 0,
-            spread,
-        }
-    }
-
-    /// The next one; `None` if there are no more.
-    pub(super) fn next(
-        &mut self,
-        skill: &Skill,
-        memory: &mut TrainingMemory<'_>,
-    ) -> Result<Option<Candidate>, Error> {
-        if self.spread && self.chosen < self.count {
-            let mut spread = Spread::new(skill, memory)?;
-            if self.chosen == 0 {
-                spread.survey(self.count)?;
-            }
-            let best = spread.best(self.chosen..self.count)?;
-            spread.choose(best)?;
-            self.swap(best, skill.binding.len(), memory);
-        }
-        let candidate = memory.candidates.get(self.chosen).copied();
-        let candidate = candidate.filter(|_| self.chosen < self.count);
-        self.chosen += 1;
-        Ok(candidate)
-    }
-
-    /// Puts a candidate behind the chosen ones.
-    fn swap(&self, index: usize, length: usize, memory: &mut TrainingMemory<'_>) {
-        if index == self.chosen {
-            return;
-        }
-        // Both places are below the count, for which there is room in all tables.
-        swap(memory.candidates, self.chosen, index);
-        swap(memory.proposals, self.chosen, index);
-        for number in 0..length {
-            let [a, b] = [self.chosen, index].map(|place| place * length + number);
-            swap(memory.instances, a, b);
-        }
-    }
-}
-
-fn swap<T: Copy>(table: &mut [T], a: usize, b: usize) {
-    let (Some(first), Some(second)) = (table.get(a).copied(), table.get(b).copied()) else {
+/// Swaps two rows of a table, the first of which comes first.
+pub(super) fn swap_rows<T>(table: &mut [T], length: usize, first: usize, second: usize) {
+    let Some((before, after)) = table.split_at_mut_checked(second * length) else {
         return;
     };
-    for (place, value) in [(a, second), (b, first)] {
-        if let Some(slot) = table.get_mut(place) {
-            *slot = value;
-        }
-    }
+    let first = before.iter_mut().skip(first * length).take(length);
+    first.zip(after).for_each(|(a, b)| core::mem::swap(a, b));
+}
+
+/// Features of the instances, and what is remembered of them.
+struct Spread<'s> {
+    skill: &'s Skill,
+    instances: &'s [f64],
+    proposals: &'s [Theta],
+    features: Features<'s, f64>,
+    /// The lowest value of each feature over all instances, the highest one, and then
+    /// the values of each chosen instance.
+    rows: &'s mut [f64],
 }
 
 impl<'s> Spread<'s> {
-    fn new(skill: &'s Skill, memory: &'s mut TrainingMemory<'_>) -> Result<Self, Error> {
+    fn new(
+        skill: &'s Skill,
+        memory: &'s mut TrainingMemory<'_>,
+        wanted: usize,
+    ) -> Result<Self, Error> {
+        const FULL: Error = Error::CapacityExceeded("features of training instances");
         let learner = &mut memory.learner;
         let (nodes, values) = (&mut *learner.features, &mut *learner.values);
         let features = Features::enumerate_up_to(&skill.domain, COMPLEXITY, nodes, values)?;
-        let extents = learner.instances.get_mut(..4 * features.len());
+        let rows = learner.instances.get_mut(..(wanted + 2) * features.len());
         Ok(Spread {
-            features,
             skill,
             instances: memory.instances,
             proposals: memory.proposals,
-            extents: extents.ok_or(Error::CapacityExceeded("numbers of training instances"))?,
+            features,
+            rows: rows.ok_or(FULL)?,
         })
     }
 
-    /// Evaluates the features of a candidate.
-    fn evaluate(&mut self, candidate: usize) -> Result<(), Error> {
-        const NONE: Error = Error::InvalidArgument("there is no such candidate");
+    /// Computes the features of an instance.
+    fn evaluate(&mut self, index: usize) -> Result<(), Error> {
+        const NONE: Error = Error::InvalidArgument("there is no such instance");
         let length = self.skill.binding.len();
-        let instance = self
-            .instances
-            .get(candidate * length..(candidate + 1) * length);
-        let domain = &self.skill.domain;
+        let instance = self.instances.get(index * length..(index + 1) * length);
+        let (domain, theta) = (&self.skill.domain, self.proposals.get(index).ok_or(NONE)?);
         let scene = Scene::<f64>::new(domain, instance.ok_or(NONE)?, PointSet::all(domain))?;
-        self.features
-            .evaluate(&scene, self.proposals.get(candidate).ok_or(NONE)?);
+        self.features.evaluate(&scene, theta);
         Ok(())
     }
 
-    /// What all candidates range over; none is chosen.
+    /// Notes what the features range over.
     fn survey(&mut self, count: usize) -> Result<(), Error> {
-        for row in self.extents.chunks_exact_mut(4) {
-            set_extents(row, [NOTHING; 2]);
-        }
-        for candidate in 0..count {
-            self.evaluate(candidate)?;
-            self.widen(|[all, chosen], value| [all.with(value), chosen]);
+        let features = self.features.len();
+        for index in 0..count {
+            self.evaluate(index)?;
+            let Some((lows, highs)) = self.rows.split_at_mut_checked(features) else {
+                break;
+            };
+            let extents = lows.iter_mut().zip(highs);
+            for (value, (low, high)) in self.features.values().iter().zip(extents) {
+                let first = index == 0;
+                *low = if first { *value } else { low.min(*value) };
+                *high = if first { *value } else { high.max(*value) };
+            }
         }
         Ok(())
     }
 
-    fn choose(&mut self, candidate: usize) -> Result<(), Error> {
-        self.evaluate(candidate)?;
-        self.widen(|[all, chosen], value| [all, chosen.with(value)]);
+    /// Remembers the features of a chosen instance.
+    fn keep(&mut self, index: usize, chosen: usize) -> Result<(), Error> {
+        self.evaluate(index)?;
+        let features = self.features.len();
+        let row = self.rows.iter_mut().skip((chosen + 2) * features);
+        for (slot, value) in row.zip(self.features.values()) {
+            *slot = *value;
+        }
         Ok(())
     }
 
-    fn widen(&mut self, wider: impl Fn([Extent; 2], f64) -> [Extent; 2]) {
-        let rows = self.extents.chunks_exact_mut(4);
-        for (row, value) in rows.zip(self.features.values()) {
-            set_extents(row, wider(extents(row), *value));
-        }
-    }
-
-    /// The candidate that extends most what the chosen ones range over.
-    fn best(&mut self, candidates: core::ops::Range<usize>) -> Result<usize, Error> {
-        let mut best = (candidates.start, 0.0);
-        for candidate in candidates {
-            self.evaluate(candidate)?;
-            let gain = self.gain();
-            if gain > best.1 {
-                best = (candidate, gain);
+    /// The instance that differs most from the chosen ones; the first of equals.
+    fn best(&mut self, chosen: usize, count: usize) -> Result<usize, Error> {
+        let mut best = (chosen, 0.0);
+        for index in chosen..count {
+            self.evaluate(index)?;
+            let difference = self.difference(chosen);
+            if difference > best.1 {
+                best = (index, difference);
             }
         }
         Ok(best.0)
     }
 
-    /// By how much the candidate that was evaluated extends the chosen ones.
-    fn gain(&self) -> f64 {
+    /// How much the instance that was evaluated differs from the chosen ones.
+    fn difference(&self, chosen: usize) -> f64 {
+        let features = self.features.len();
+        let mut rows = self.rows.chunks_exact(features.max(1));
+        let (lows, highs) = (rows.next().unwrap_or(&[]), rows.next().unwrap_or(&[]));
+        let extents = lows.iter().zip(highs);
         let terms = self.features.nodes().iter().zip(self.features.values());
-        let gains = terms
-            .zip(self.extents.chunks_exact(4))
-            .map(|((node, value), row)| {
-                let ([all, chosen], true) = (extents(row), says_something(node)) else {
-                    return 0.0;
-                };
-                let gain = (chosen.with(*value).size() - chosen.size()) / all.size();
-                if gain.is_finite() { gain } else { 0.0 }
+        let differences = terms
+            .zip(extents)
+            .enumerate()
+            .map(|(place, (term, (low, high)))| {
+                let (node, value) = term;
+                let others = rows.clone().take(chosen).filter_map(|row| row.get(place));
+                let nearest = others.map(|other| Real::abs(value - other));
+                let nearest = nearest.fold(f64::INFINITY, f64::min) / (high - low);
+                if says_something(node) && nearest.is_finite() {
+                    nearest
+                } else {
+                    0.0
+                }
             });
-        gains.sum()
-    }
-}
-
-/// What all candidates and what the chosen ones range over.
-fn extents(row: &[f64]) -> [Extent; 2] {
-    let at = |place: usize| row.get(place).copied().unwrap_or(f64::NAN);
-    [0, 2].map(|first| Extent {
-        low: at(first),
-        high: at(first + 1),
-    })
-}
-
-fn set_extents(row: &mut [f64], [all, chosen]: [Extent; 2]) {
-    let numbers = [all.low, all.high, chosen.low, chosen.high];
-    for (place, number) in row.iter_mut().zip(numbers) {
-        *place = number;
+        differences.sum()
     }
 }
 

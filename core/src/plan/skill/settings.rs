@@ -1,6 +1,6 @@
 //! Where a skill is tried: states in which its operators are applicable.
 
-use super::selection::Selection;
+use super::selection::{spread, swap_rows};
 use super::training::TrainingMemory;
 use super::{Describe, Informed, Scope, Skill, Skills};
 use crate::domain::{
@@ -14,6 +14,8 @@ use heapless::Vec;
 
 /// Most operators that are tried in a row: two, and what they need in between.
 pub const MAX_CHAIN: usize = 4;
+/// How often settings are looked for in the same tasks.
+const ROUNDS: u64 = 4;
 
 /// A state, and the operators to try from it, one after the other.
 #[derive(Clone, Debug)]
@@ -64,44 +66,122 @@ struct Grounded<'t, 'o, E> {
     initial: &'t State,
     atoms: Atoms,
     operators: &'o [GroundOperator],
+    /// Of the parameters on the way to an operator: other ones in each setting.
+    seed: u64,
+}
+
+/// Which settings are wanted.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wanted {
+    /// From so many tasks at most.
+    pub(super) tasks: usize,
+    /// So many at most.
+    pub(super) settings: usize,
+    /// Such that they differ; otherwise in the order of the tasks.
+    pub(super) differing: bool,
 }
 
 impl Skills<'_> {
-    /// Collects so many settings of a skill from tasks. Returns how many there are, and
+    /// Collects settings of a skill. Returns how many there are, from how many tasks, and
     /// how many controllers were run to get there.
     ///
-    /// They are chosen to differ ([`Selection`]), or they come in the order of the tasks.
     /// Where an operator is not applicable in the initial state it is planned for, with
-    /// the skills learned so far (the thesis's single-operator task plans).
+    /// the skills learned so far (the thesis's single-operator task plans); and if there
+    /// are not enough settings yet, again with other parameters on the way.
     pub(super) fn collect<E: Describe>(
         &self,
         skill: &Skill,
         environment: &E,
         tasks: &[Task],
-        (wanted, spread): (usize, bool),
+        wanted: Wanted,
         memory: &mut TrainingMemory<'_>,
-    ) -> Result<(usize, u32), Error> {
+    ) -> Result<(usize, usize, u32), Error> {
         let candidates = enumerate(environment, skill, tasks, memory)?;
-        let mut selection = Selection::new(candidates, spread);
+        let room = wanted.settings.min(memory.settings.len());
+        if wanted.differing {
+            let swap = |memory: &mut TrainingMemory<'_>, a, b| {
+                swap_rows(memory.candidates, 1, a, b);
+            };
+            spread(skill, memory, candidates, room, swap)?;
+        }
+        let candidates = take_tasks(memory.candidates, candidates, wanted.tasks);
         let (mut count, mut calls) = (0, 0);
-        while count < wanted.min(memory.settings.len()) {
-            let Some(candidate) = selection.next(skill, memory)? else {
-                break;
-            };
-            let Some(task) = tasks.get(usize::from(candidate.task)) else {
-                break;
-            };
-            let planner = memory.planner.reborrow();
-            let grounded = Grounded::new(environment, self, task, memory.operators)?;
-            let (setting, runs) = grounded.realise(skill, &candidate, planner)?;
-            calls += runs;
-            if let (Some(setting), Some(place)) = (setting, memory.settings.get_mut(count)) {
-                *place = Some(setting);
-                count += 1;
+        for round in 0..ROUNDS {
+            for index in 0..candidates {
+                let candidate = memory.candidates.get(index).copied().unwrap_or_default();
+                let task = tasks.get(usize::from(candidate.task));
+                let (Some(task), true) = (task, count < room) else {
+                    break;
+                };
+                let planner = memory.planner.reborrow();
+                let seed = (round << 16 | index as u64) << 32;
+                let grounded = Grounded::new(environment, self, task, memory.operators, seed)?;
+                let (setting, runs) = grounded.realise(skill, &candidate, planner)?;
+                calls += runs;
+                // What needs nothing on the way would be the same again.
+                let setting = setting.filter(|_| round == 0 || runs > 0);
+                if let (Some(setting), Some(place)) = (setting, memory.settings.get_mut(count)) {
+                    *place = Some(setting);
+                    count += 1;
+                }
             }
         }
-        Ok((count, calls))
+        let used = memory.candidates.get(..candidates).unwrap_or_default();
+        Ok((count, distinct_tasks(used), calls))
     }
+}
+
+/// Moves the candidates of the first `most` tasks to the front, in their order. Returns
+/// how many there are.
+fn take_tasks(candidates: &mut [Candidate], count: usize, most: usize) -> usize {
+    let mut kept = 0;
+    for index in 0..count {
+        let Some((before, [own, ..])) = candidates.split_at_mut_checked(index) else {
+            break;
+        };
+        let before = before.get(..kept).unwrap_or_default();
+        let known = before.iter().any(|other| other.task == own.task);
+        if known || distinct_tasks(before) < most {
+            if kept < index {
+                swap_rows(candidates, 1, kept, index);
+            }
+            kept += 1;
+        }
+    }
+    kept
+}
+
+/// From how many tasks candidates are.
+fn distinct_tasks(candidates: &[Candidate]) -> usize {
+    let all = candidates.iter().enumerate();
+    let first = all.filter(|(index, own)| {
+        let mut before = candidates.iter().take(*index);
+        !before.any(|other| other.task == own.task)
+    });
+    first.count()
+}
+
+/// Writes the instances of so many settings, and parameters of the original sampler.
+pub(super) fn survey<E: Describe>(
+    skill: &Skill,
+    environment: &E,
+    count: usize,
+    memory: &mut TrainingMemory<'_>,
+) -> Result<(), Error> {
+    const FULL: Error = Error::CapacityExceeded("numbers of training instances");
+    let length = skill.binding.len();
+    let settings = memory.settings.iter().flatten().take(count);
+    for (index, (setting, proposal)) in settings.zip(memory.proposals.iter_mut()).enumerate() {
+        let numbers = memory
+            .instances
+            .get_mut(index * length..(index + 1) * length);
+        skill.instance(environment, setting, numbers.ok_or(FULL)?)?;
+        if let Some(own) = setting.steps.first() {
+            let mut rng = generator(index as u64);
+            *proposal = own.propose(environment, &setting.state, &mut rng);
+        }
+    }
+    Ok(())
 }
 
 /// Lists candidates in the order of the tasks, as many as there is room for, with the
@@ -208,6 +288,7 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
         skills: &'t Skills<'t>,
         task: &'t Task,
         operators: &'o mut heapless::VecView<GroundOperator>,
+        seed: u64,
     ) -> Result<Self, Error> {
         let atoms = Atoms::new(environment, &task.initial)?;
         operators.clear();
@@ -218,6 +299,7 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
             initial: &task.initial,
             atoms,
             operators,
+            seed,
         })
     }
 
@@ -284,7 +366,7 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
                 initial,
                 goal: ground.preconditions,
             };
-            let seed = || generator(u64::from(calls));
+            let seed = || generator(self.seed ^ u64::from(calls));
             let memory = memory.reborrow();
             let planned = planner.plan(task, self.initial, seed(), seed, memory)?;
             calls += planned.metrics.samples;

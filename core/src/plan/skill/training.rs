@@ -1,5 +1,6 @@
 //! Learning the region of a skill.
 
+use super::settings::{Wanted, survey};
 use super::{Candidate, Describe, Setting, Skill, Skills};
 use crate::domain::{Domain, GroundOperator, State, Task};
 use crate::error::Error;
@@ -16,6 +17,8 @@ pub struct Training {
     pub learner: Config,
     /// Questions about two controllers.
     pub chained: u32,
+    /// Tasks that instances are taken from.
+    pub tasks: usize,
     /// Instances in which parameters are tried.
     pub instances: usize,
     /// Instances of a text without parameters, each of which is tried once.
@@ -27,6 +30,7 @@ impl Default for Training {
         Training {
             learner: Config::default(),
             chained: 200,
+            tasks: 150,
             instances: 20,
             states: 150,
         }
@@ -62,6 +66,8 @@ pub struct TrainingMemory<'m> {
 pub struct Learned {
     /// Whether there is a region.
     pub region: bool,
+    /// Tasks that instances were taken from.
+    pub tasks: usize,
     /// Instances that were found.
     pub instances: usize,
     /// Controllers that were run, those on the way to an instance included.
@@ -84,8 +90,12 @@ impl Skills<'_> {
         mut memory: TrainingMemory<'_>,
     ) -> Result<usize, Error> {
         let skill = self.get(index).ok_or(NO_SKILL)?;
-        let wanted = (wanted, false);
-        let (count, _) = self.collect(skill, environment, tasks, wanted, &mut memory)?;
+        let wanted = Wanted {
+            tasks: tasks.len(),
+            settings: wanted,
+            differing: false,
+        };
+        let (count, ..) = self.collect(skill, environment, tasks, wanted, &mut memory)?;
         Ok(count)
     }
 
@@ -109,30 +119,31 @@ impl Skills<'_> {
         let skill = self.get(index).ok_or(NO_SKILL)?;
         let (later, domain) = (skill.description.later, skill.domain.clone());
         let sampled = !domain.parameters().is_empty();
-        let wanted = match sampled {
+        let settings = match sampled {
             true => training.instances,
             false => training.states,
         };
-        let wanted = wanted.min(memory.capacity.instances);
-        let (count, calls) =
-            self.collect(skill, environment, tasks, (wanted, sampled), &mut memory)?;
+        let wanted = Wanted {
+            tasks: training.tasks,
+            settings: settings.min(memory.capacity.instances),
+            differing: sampled,
+        };
+        let (count, tasks, calls) = self.collect(skill, environment, tasks, wanted, &mut memory)?;
         let mut learned = Learned {
             region: false,
+            tasks,
             instances: count,
             calls,
         };
         if count == 0 {
             return Ok(learned);
         }
+        survey(skill, environment, count, &mut memory)?;
+        let numbers = count * skill.binding.len();
         let settings = memory.settings.get(..count).unwrap_or_default();
-        let instances = instances(skill, environment, settings, memory.instances)?;
+        let proposals = memory.proposals.get(..count).unwrap_or_default();
+        let instances = memory.instances.get(..numbers).unwrap_or_default();
         let mut rng = generator(training.learner.seed ^ index as u64);
-        let proposals = memory.proposals.get_mut(..count).unwrap_or_default();
-        for (proposal, setting) in proposals.iter_mut().zip(settings.iter().flatten()) {
-            if let Some(own) = setting.steps.first() {
-                *proposal = own.propose(environment, &setting.state, &mut rng);
-            }
-        }
         let problem = Problem::new(&domain, instances, count)?.with_proposals(proposals)?;
         let steps = 1 + usize::from(later.is_some());
         let config = Config {
@@ -182,23 +193,6 @@ impl Skill {
             self.binding.instance(scope, out)
         })
     }
-}
-
-/// The numbers of the instances of all settings.
-fn instances<'n, E: Describe>(
-    skill: &Skill,
-    environment: &E,
-    settings: &[Option<Setting>],
-    numbers: &'n mut [f64],
-) -> Result<&'n [f64], Error> {
-    const FULL: Error = Error::CapacityExceeded("numbers of training instances");
-    let length = skill.binding.len();
-    let numbers = numbers.get_mut(..settings.len() * length).ok_or(FULL)?;
-    let places = numbers.chunks_exact_mut(length.max(1));
-    for (setting, place) in settings.iter().flatten().zip(places) {
-        skill.instance(environment, setting, place)?;
-    }
-    Ok(numbers)
 }
 
 /// What was learned of the last of so many steps.
