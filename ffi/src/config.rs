@@ -6,6 +6,7 @@ use crate::report::critreg_progress;
 use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::structs::{self, Versioned};
 use core::ffi::c_void;
+use core::mem::offset_of;
 use critreg_core::Error;
 use critreg_core::domain::Domain;
 use critreg_core::learn::{self, version_space};
@@ -109,11 +110,18 @@ pub struct critreg_config {
     pub progress: critreg_progress,
     /// Passed to the progress callback. Default NULL.
     pub progress_data: *mut c_void,
+    /// CRITREG_VERSION_SPACE: of how many forms, the simplest ones, it is tracked what
+    /// the answers say about them. That of the others is computed whenever it is
+    /// needed: the region is the same, for less memory and more time. Default
+    /// UINT32_MAX: of all.
+    pub tracked: u32,
+    /// Always 0.
+    pub reserved: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
 unsafe impl Versioned for critreg_config {
-    const FIRST: usize = size_of::<critreg_config>();
+    const FIRST: usize = offset_of!(critreg_config, tracked);
 }
 
 fn defaults() -> critreg_config {
@@ -136,6 +144,8 @@ fn defaults() -> critreg_config {
         positive: core::ptr::null(),
         progress: None,
         progress_data: core::ptr::null_mut(),
+        tracked: u32::MAX,
+        reserved: 0,
     }
 }
 
@@ -186,6 +196,7 @@ impl critreg_config {
         }
         Ok(Capacity::VersionSpace(version_space::Capacity {
             forms: self.hypotheses as usize,
+            tracked: self.tracked as usize,
             observations: observations as usize,
             instances: self.instances as usize,
             steps: self.steps as usize,

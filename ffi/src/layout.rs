@@ -231,6 +231,7 @@ const _: () = {
             };
             let second = version_space::Capacity {
                 forms,
+                tracked: usize::MAX,
                 observations,
                 instances,
                 steps,

@@ -185,6 +185,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             rows: cut(rows, capacity.rows())?,
             samples: cut(samples, capacity.observations)?,
             forms: capacity.forms,
+            tracked: capacity.tracked(),
             lefts: capacity.lefts(),
         });
         Ok(VersionSpace {
@@ -399,6 +400,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         digest.update(b"version_space");
         let Capacity {
             forms,
+            tracked: _,
             observations: _,
             instances: _,
             steps,
