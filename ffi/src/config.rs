@@ -2,6 +2,7 @@
 
 use crate::any::Capacity;
 use crate::pointer;
+use crate::precision::Precision;
 use crate::report::critreg_progress;
 use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::structs::{self, Versioned};
@@ -115,8 +116,9 @@ pub struct critreg_config {
     /// needed: the region is the same, for less memory and more time. Default
     /// UINT32_MAX: of all.
     pub tracked: u32,
-    /// Always 0.
-    pub reserved: u32,
+    /// What is computed with: CRITREG_F64, the default, or CRITREG_F32. A library that
+    /// was built without one of them refuses it with CRITREG_INVALID_ARGUMENT.
+    pub precision: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -145,7 +147,7 @@ fn defaults() -> critreg_config {
         progress: None,
         progress_data: core::ptr::null_mut(),
         tracked: u32::MAX,
-        reserved: 0,
+        precision: Precision::DEFAULT.number(),
     }
 }
 
@@ -160,6 +162,7 @@ pub(crate) unsafe fn read(config: *const critreg_config) -> Fallible<critreg_con
     }
     // SAFETY: by this function's contract.
     let known = unsafe { structs::read(config, defaults(), "config")? };
+    known.precision()?;
     match known.learner {
         CRITREG_ALGORITHM1 | CRITREG_VERSION_SPACE => Ok(known),
         _ => Err(Failure::invalid("there is no learner with this number")),
@@ -167,6 +170,10 @@ pub(crate) unsafe fn read(config: *const critreg_config) -> Fallible<critreg_con
 }
 
 impl critreg_config {
+    pub(crate) fn precision(&self) -> Fallible<Precision> {
+        Precision::new(self.precision)
+    }
+
     /// The capacities it asks for; no hypotheses means as many as there is room.
     pub(crate) fn capacity(&self) -> Fallible<Capacity> {
         let enough = self.iterations.saturating_add(2);

@@ -398,6 +398,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
     fn fingerprint(&self) -> u32 {
         let mut digest = CHECKSUM.digest();
         digest.update(b"version_space");
+        digest.update(R::NAME.as_bytes());
         let Capacity {
             forms,
             tracked: _,
