@@ -57,6 +57,7 @@ impl TrainingRoom {
         let candidates = 4 * instances;
         let capacity = Capacity {
             forms: 12_000,
+            tracked: usize::MAX,
             observations: calls.max(instances),
             instances,
             steps: 2,
