@@ -6,6 +6,7 @@ use crate::domain::{Arguments, Controller, ControllerId, GroundOperator, State};
 use crate::error::Error;
 use crate::plan::{Advice, Draw, Drawn, Guide, ReasonId, Sampler, Simulated, Skeleton};
 use crate::random::uniform;
+use crate::table::gather;
 use rand_core::Rng;
 
 /// An environment's sampler and guide that know its skills.
@@ -219,7 +220,7 @@ impl<E: Describe> Informed<'_, E> {
         match tail.sample(margin, rng) {
             Ok(theta) => {
                 let parameters = theta.into_iter().take(count).map(|value| value as f32);
-                Ok(Some(Drawn::Informed(parameters.collect())))
+                Ok(Some(Drawn::Informed(gather(parameters))))
             }
             Err(Error::EmptyRegion) => self.blame(tail, draw).map(Some),
             Err(Error::NoSample) => Ok(None),

@@ -4,6 +4,7 @@ use super::Skill;
 use crate::domain::MAX_STATE_VALUES;
 use crate::error::Error;
 use crate::region::{Intersection, Part, Region, Theta};
+use crate::table::gather;
 use heapless::Vec;
 use rand_core::Rng;
 
@@ -65,7 +66,7 @@ impl<'s> Tail<'s> {
 
     /// Whether it is proven that the first regions have nothing in common.
     pub(super) fn are_apart(&self, count: usize) -> Result<bool, Error> {
-        let parts: Vec<Part<'_>, MAX_PARTS> = self.parts().take(count).collect();
+        let parts: Vec<Part<'_>, MAX_PARTS> = gather(self.parts().take(count));
         if parts.is_empty() {
             return Ok(false);
         }
@@ -74,7 +75,7 @@ impl<'s> Tail<'s> {
 
     /// Draws parameters that all regions admit; see [`Intersection::sample_inside`].
     pub(super) fn sample<R: Rng>(&self, margin: f64, rng: &mut R) -> Result<Theta, Error> {
-        let parts: Vec<Part<'_>, MAX_PARTS> = self.parts().collect();
+        let parts: Vec<Part<'_>, MAX_PARTS> = gather(self.parts());
         Intersection::<f64>::new(&parts)?.sample_inside(margin, rng)
     }
 
@@ -90,7 +91,7 @@ impl<'s> Tail<'s> {
             region: if index == place { &weaker } else { part.region },
             ..part
         });
-        let parts: Vec<Part<'_>, MAX_PARTS> = parts.collect();
+        let parts: Vec<Part<'_>, MAX_PARTS> = gather(parts);
         Ok(!Intersection::<f64>::new(&parts)?.is_proven_empty()?)
     }
 }

@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::learn::version_space::{Capacity, Config, Memory, VersionSpace};
 use crate::learn::{Answer, Learner, Problem, learn_region};
 use crate::region::Region;
+use crate::table::gather;
 use heapless::VecView;
 
 /// How much is tried to learn a skill.
@@ -192,7 +193,7 @@ impl Skills<'_> {
             .controllers()
             .get(usize::from(operator.controller.0))?;
         let theta = theta.iter().take(controller.parameters.len());
-        let parameters: crate::domain::Parameters = theta.map(|value| *value as f32).collect();
+        let parameters: crate::domain::Parameters = gather(theta.map(|value| *value as f32));
         let outcome = try_operator(environment, operator, objects, &parameters, before);
         let arguments = operator.controller_objects(objects).ok()?;
         let changes = self.changes_mut(operator.controller)?;
