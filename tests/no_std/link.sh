@@ -44,8 +44,17 @@ link() {
         -Wl,--gc-sections,--fatal-warnings,-z,noexecstack "$here/start.c" "$table" "$library"
 }
 
-cargo build --quiet --profile "$profile" --manifest-path "$here/Cargo.toml" \
-    --target-dir "$output" --target "$target"
+"$here/../../c_examples/cortex_m/cargo.sh" "$target" build --quiet --profile "$profile" \
+    --manifest-path "$here/Cargo.toml" --target-dir "$output"
+
+# Names of Rust begin with an underscore, and so do those of its arithmetic.
+exported=$(nm --extern-only --defined-only "$library" 2>/dev/null | awk 'NF == 3 { print $3 }' |
+    grep -v '^_\|^no_std_' | sort)
+if [ "$exported" != "$(functions | sort)" ]; then
+    echo "the static library exports something else than the header declares:" "$exported" >&2
+    exit 1
+fi
+
 program=$output/$target/$profile/no_std
 link -o "$program"
 
