@@ -39,10 +39,10 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            141136 bytes           38864 bytes
- *           4096           256            560208 bytes           50640 bytes
- *          10000           256           1178948 bytes           59476 bytes
- *          20000           256           2171448 bytes           74480 bytes
+ *           1024           128            141168 bytes           38896 bytes
+ *           4096           256            560240 bytes           50672 bytes
+ *          10000           256           1178980 bytes           59508 bytes
+ *          20000           256           2171480 bytes           74512 bytes
  *
  * Every further instance takes hypotheses + 512 bytes more, every further step
  * 16 * hypotheses + 2560 at most. The macros of CRITREG_LEARNER_WORDS() are for
@@ -520,6 +520,19 @@
 #define CRITREG_MAX_INTERVALS 66
 
 /**
+ * For critreg_config.precision: computing with double, the default. The same inputs
+ * give the same bytes on every machine.
+ */
+#define CRITREG_F64 64
+
+/**
+ * For critreg_config.precision: computing with float, in half the memory, and much
+ * faster on a microcontroller whose floating-point unit has single precision only.
+ * Thresholds are good to about six digits.
+ */
+#define CRITREG_F32 32
+
+/**
  * In a critreg_report: this did not happen (yet), or never does in this learner.
  */
 #define CRITREG_NOT_RUN UINT64_MAX
@@ -909,6 +922,18 @@ typedef struct critreg_config {
      * Passed to the progress callback. Default NULL.
      */
     void *progress_data;
+    /**
+     * CRITREG_VERSION_SPACE: of how many forms, the simplest ones, it is tracked what
+     * the answers say about them. That of the others is computed whenever it is
+     * needed: the region is the same, for less memory and more time. Default
+     * UINT32_MAX: of all.
+     */
+    uint32_t tracked;
+    /**
+     * What is computed with: CRITREG_F64, the default, or CRITREG_F32. A library that
+     * was built without one of them refuses it with CRITREG_INVALID_ARGUMENT.
+     */
+    uint32_t precision;
 } critreg_config;
 
 /**

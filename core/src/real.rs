@@ -31,6 +31,8 @@ pub trait Real:
     + SubAssign
     + 'static
 {
+    /// Its name, to tell apart what was saved.
+    const NAME: &'static str;
     /// The additive identity.
     const ZERO: Self;
     /// The multiplicative identity.
@@ -80,6 +82,7 @@ pub trait Real:
 }
 
 impl Real for f64 {
+    const NAME: &'static str = "f64";
     const ZERO: f64 = 0.0;
     const ONE: f64 = 1.0;
     const INFINITY: f64 = f64::INFINITY;
@@ -113,6 +116,7 @@ impl Real for f64 {
 }
 
 impl Real for f32 {
+    const NAME: &'static str = "f32";
     const ZERO: f32 = 0.0;
     const ONE: f32 = 1.0;
     const INFINITY: f32 = f32::INFINITY;
@@ -190,6 +194,7 @@ mod fast {
     }
 
     impl Real for Fast32 {
+        const NAME: &'static str = "fast32";
         const ZERO: Fast32 = Fast32(0.0);
         const ONE: Fast32 = Fast32(1.0);
         const INFINITY: Fast32 = Fast32(f32::INFINITY);

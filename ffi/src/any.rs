@@ -1,8 +1,12 @@
 //! The learners behind one type, so that everything else is written once.
 
+use crate::precision::Precision;
+#[cfg(feature = "f32")]
+use crate::precision::Single;
 use critreg_core::Error;
 use critreg_core::learn::version_space::{self, Evidence, VersionSpace};
 use critreg_core::learn::{self, Algorithm1, Answer, Learner, Observation, Problem, Query};
+use critreg_core::real::Real;
 use critreg_core::region::Region;
 
 /// How much a learner of some kind has room for.
@@ -42,58 +46,126 @@ impl Capacity {
     clippy::large_enum_variant,
     reason = "there is no heap to put the larger one on"
 )]
-pub(crate) enum AnyLearner {
-    Algorithm1(Algorithm1<'static, f64>),
-    VersionSpace(VersionSpace<'static, f64>),
+pub(crate) enum Kind<R: 'static> {
+    Algorithm1(Algorithm1<'static, R>),
+    VersionSpace(VersionSpace<'static, R>),
 }
 
-/// Calls a method on whichever learner it is.
+impl<R: Real> Kind<R> {
+    /// The learner, whichever it is.
+    fn any(&self) -> &dyn Learner {
+        match self {
+            Kind::Algorithm1(learner) => learner,
+            Kind::VersionSpace(learner) => learner,
+        }
+    }
+
+    fn any_mut(&mut self) -> &mut dyn Learner {
+        match self {
+            Kind::Algorithm1(learner) => learner,
+            Kind::VersionSpace(learner) => learner,
+        }
+    }
+
+    /// How learning went so far.
+    fn report(&self) -> Report {
+        match self {
+            Kind::Algorithm1(learner) => Report::Algorithm1(learner.report()),
+            Kind::VersionSpace(learner) => Report::VersionSpace(learner.report()),
+        }
+    }
+
+    fn evidence(&self) -> &[Evidence] {
+        match self {
+            Kind::Algorithm1(_) => &[],
+            Kind::VersionSpace(learner) => learner.evidence(),
+        }
+    }
+}
+
+/// How learning went with a learner of some kind.
+pub(crate) enum Report {
+    Algorithm1(learn::Report),
+    VersionSpace(version_space::Report),
+}
+
+/// A learner of some kind and precision.
+pub(crate) enum AnyLearner {
+    #[cfg(feature = "f32")]
+    Single(Kind<Single>),
+    #[cfg(feature = "f64")]
+    Double(Kind<f64>),
+}
+
+/// Calls a method on a learner of whichever precision.
 macro_rules! each {
-    ($any:expr, $learner:ident => $call:expr) => {
+    ($any:expr, $kind:ident => $call:expr) => {
         match $any {
-            AnyLearner::Algorithm1($learner) => $call,
-            AnyLearner::VersionSpace($learner) => $call,
+            #[cfg(feature = "f32")]
+            AnyLearner::Single($kind) => $call,
+            #[cfg(feature = "f64")]
+            AnyLearner::Double($kind) => $call,
         }
     };
 }
 
 impl AnyLearner {
+    fn any(&self) -> &dyn Learner {
+        each!(self, kind => kind.any())
+    }
+
+    fn any_mut(&mut self) -> &mut dyn Learner {
+        each!(self, kind => kind.any_mut())
+    }
+
     /// What supports each constraint of the region, in their order; empty if the
     /// learner does not know.
     pub(crate) fn evidence(&self) -> &[Evidence] {
+        each!(self, kind => kind.evidence())
+    }
+
+    /// How learning went so far.
+    pub(crate) fn report(&self) -> Report {
+        each!(self, kind => kind.report())
+    }
+
+    /// What it computes with.
+    pub(crate) fn precision(&self) -> Precision {
         match self {
-            AnyLearner::Algorithm1(_) => &[],
-            AnyLearner::VersionSpace(learner) => learner.evidence(),
+            #[cfg(feature = "f32")]
+            AnyLearner::Single(_) => Precision::Single,
+            #[cfg(feature = "f64")]
+            AnyLearner::Double(_) => Precision::Double,
         }
     }
 }
 
 impl Learner for AnyLearner {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
-        each!(self, learner => learner.ask(problem))
+        self.any_mut().ask(problem)
     }
 
     fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error> {
-        each!(self, learner => learner.tell(problem, answer))
+        self.any_mut().tell(problem, answer)
     }
 
     fn is_finished(&self) -> bool {
-        each!(self, learner => learner.is_finished())
+        self.any().is_finished()
     }
 
     fn region(&self) -> Result<&Region, Error> {
-        each!(self, learner => learner.region())
+        self.any().region()
     }
 
     fn observations(&self) -> &[Observation] {
-        each!(self, learner => learner.observations())
+        self.any().observations()
     }
 
     fn room(&self) -> usize {
-        each!(self, learner => learner.room())
+        self.any().room()
     }
 
     fn fingerprint(&self) -> u32 {
-        each!(self, learner => learner.fingerprint())
+        self.any().fingerprint()
     }
 }

@@ -2,10 +2,12 @@
 
 use crate::any::Capacity;
 use crate::pointer;
+use crate::precision::Precision;
 use crate::report::critreg_progress;
 use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::structs::{self, Versioned};
 use core::ffi::c_void;
+use core::mem::offset_of;
 use critreg_core::Error;
 use critreg_core::domain::Domain;
 use critreg_core::learn::{self, version_space};
@@ -109,11 +111,19 @@ pub struct critreg_config {
     pub progress: critreg_progress,
     /// Passed to the progress callback. Default NULL.
     pub progress_data: *mut c_void,
+    /// CRITREG_VERSION_SPACE: of how many forms, the simplest ones, it is tracked what
+    /// the answers say about them. That of the others is computed whenever it is
+    /// needed: the region is the same, for less memory and more time. Default
+    /// UINT32_MAX: of all.
+    pub tracked: u32,
+    /// What is computed with: CRITREG_F64, the default, or CRITREG_F32. A library that
+    /// was built without one of them refuses it with CRITREG_INVALID_ARGUMENT.
+    pub precision: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
 unsafe impl Versioned for critreg_config {
-    const FIRST: usize = size_of::<critreg_config>();
+    const FIRST: usize = offset_of!(critreg_config, tracked);
 }
 
 fn defaults() -> critreg_config {
@@ -136,6 +146,8 @@ fn defaults() -> critreg_config {
         positive: core::ptr::null(),
         progress: None,
         progress_data: core::ptr::null_mut(),
+        tracked: u32::MAX,
+        precision: Precision::DEFAULT.number(),
     }
 }
 
@@ -150,6 +162,7 @@ pub(crate) unsafe fn read(config: *const critreg_config) -> Fallible<critreg_con
     }
     // SAFETY: by this function's contract.
     let known = unsafe { structs::read(config, defaults(), "config")? };
+    known.precision()?;
     match known.learner {
         CRITREG_ALGORITHM1 | CRITREG_VERSION_SPACE => Ok(known),
         _ => Err(Failure::invalid("there is no learner with this number")),
@@ -157,6 +170,10 @@ pub(crate) unsafe fn read(config: *const critreg_config) -> Fallible<critreg_con
 }
 
 impl critreg_config {
+    pub(crate) fn precision(&self) -> Fallible<Precision> {
+        Precision::new(self.precision)
+    }
+
     /// The capacities it asks for; no hypotheses means as many as there is room.
     pub(crate) fn capacity(&self) -> Fallible<Capacity> {
         let enough = self.iterations.saturating_add(2);
@@ -186,6 +203,7 @@ impl critreg_config {
         }
         Ok(Capacity::VersionSpace(version_space::Capacity {
             forms: self.hypotheses as usize,
+            tracked: self.tracked as usize,
             observations: observations as usize,
             instances: self.instances as usize,
             steps: self.steps as usize,

@@ -1,14 +1,18 @@
 //! Where the parts of a learner lie in its memory.
 
-use crate::any::{AnyLearner, Capacity};
+use crate::any::{AnyLearner, Capacity, Kind};
 use crate::config::critreg_config;
 use crate::learner::critreg_learner;
 use crate::memory::{DomainLayout, Packer, Part, append};
+use crate::precision::Precision;
+#[cfg(feature = "f32")]
+use crate::precision::Single;
 use crate::region::critreg_region;
 use crate::status::Fallible;
 use critreg_core::domain::{Domain, Node};
 use critreg_core::learn::version_space::{self, Cover, Sample, Span, VersionSpace};
 use critreg_core::learn::{self, Algorithm1, Bounds, Observation};
+use critreg_core::real::Real;
 
 /// The parts of a learner.
 pub(crate) struct LearnerLayout {
@@ -19,36 +23,110 @@ pub(crate) struct LearnerLayout {
     pub(crate) size: usize,
 }
 
-/// The tables of each kind of learner.
+/// The tables of a learner of each precision.
 enum Tables {
-    Algorithm1(Algorithm1Tables),
-    VersionSpace(VersionSpaceTables),
+    #[cfg(feature = "f32")]
+    Single(KindTables<Single>),
+    #[cfg(feature = "f64")]
+    Double(KindTables<f64>),
 }
 
-struct Algorithm1Tables {
+/// The tables of each kind of learner.
+enum KindTables<R> {
+    Algorithm1(Algorithm1Tables<R>),
+    VersionSpace(VersionSpaceTables<R>),
+}
+
+struct Algorithm1Tables<R> {
     capacity: learn::Capacity,
     features: Part<Node>,
-    values: Part<f64>,
-    bounds: Part<Bounds<f64>>,
+    values: Part<R>,
+    bounds: Part<Bounds<R>>,
     observations: Part<Observation>,
     pairs: Part<u8>,
 }
 
-struct VersionSpaceTables {
+struct VersionSpaceTables<R> {
     capacity: version_space::Capacity,
     features: Part<Node>,
-    values: Part<f64>,
+    values: Part<R>,
     columns: Part<u16>,
-    instances: Part<f64>,
-    spans: Part<Span<f64>>,
+    instances: Part<R>,
+    spans: Part<Span<R>>,
     bits: Part<u64>,
-    rows: Part<f64>,
-    covers: Part<Cover<f64>>,
+    rows: Part<R>,
+    covers: Part<Cover<R>>,
     samples: Part<Sample>,
     observations: Part<Observation>,
 }
 
-impl Algorithm1Tables {
+impl<R> KindTables<R> {
+    const fn new(packer: &mut Packer, capacity: Capacity) -> Option<Self> {
+        match capacity {
+            Capacity::Algorithm1(capacity) => match Algorithm1Tables::new(packer, capacity) {
+                Some(tables) => Some(KindTables::Algorithm1(tables)),
+                None => None,
+            },
+            Capacity::VersionSpace(capacity) => match VersionSpaceTables::new(packer, capacity) {
+                Some(tables) => Some(KindTables::VersionSpace(tables)),
+                None => None,
+            },
+        }
+    }
+}
+
+impl<R: Real> KindTables<R> {
+    /// Makes the learner whose tables these are.
+    ///
+    /// # Safety
+    /// As for [`Part::fill`], and [`critreg_config::algorithm1`].
+    unsafe fn make(
+        &self,
+        memory: *mut u8,
+        domain: &Domain<'_>,
+        config: &critreg_config,
+    ) -> Fallible<Kind<R>> {
+        match self {
+            KindTables::Algorithm1(tables) => {
+                // SAFETY: by this function's contract; the parts do not overlap.
+                let (settings, memory) = unsafe {
+                    let lent = learn::Memory {
+                        features: tables.features.fill(memory, Node::Number(0.0)),
+                        values: tables.values.fill(memory, R::ZERO),
+                        pairs: tables.pairs.fill(memory, 0),
+                        bounds: tables.bounds.fill(memory, Default::default()),
+                        observations: tables.observations.fill(memory, Default::default()),
+                    };
+                    (config.algorithm1(domain)?, lent)
+                };
+                let learner = Algorithm1::new(domain, settings, tables.capacity, memory)?;
+                Ok(Kind::Algorithm1(learner))
+            }
+            KindTables::VersionSpace(tables) => {
+                let settings = config.version_space()?;
+                // SAFETY: by this function's contract; the parts do not overlap.
+                let memory = unsafe {
+                    version_space::Memory {
+                        features: tables.features.fill(memory, Node::Number(0.0)),
+                        values: tables.values.fill(memory, R::ZERO),
+                        columns: tables.columns.fill(memory, 0),
+                        instances: tables.instances.fill(memory, R::ZERO),
+                        spans: tables.spans.fill(memory, Default::default()),
+                        bits: tables.bits.fill(memory, 0),
+                        rows: tables.rows.fill(memory, R::ZERO),
+                        covers: tables.covers.fill(memory, Default::default()),
+                        samples: tables.samples.fill(memory, Default::default()),
+                        observations: tables.observations.fill(memory, Default::default()),
+                    }
+                };
+                let learner = VersionSpace::new(domain, settings, tables.capacity, memory)?;
+                Ok(Kind::VersionSpace(learner))
+            }
+        }
+    }
+}
+
+impl<R> Algorithm1Tables<R> {
     const fn new(packer: &mut Packer, capacity: learn::Capacity) -> Option<Self> {
         Some(Algorithm1Tables {
             capacity,
@@ -66,7 +144,7 @@ const fn times(left: usize, right: usize) -> usize {
     left.saturating_mul(right)
 }
 
-impl VersionSpaceTables {
+impl<R> VersionSpaceTables<R> {
     const fn new(packer: &mut Packer, capacity: version_space::Capacity) -> Option<Self> {
         // The products of the capacity are computed once they cannot overflow.
         let words = times(capacity.forms, capacity.observations.div_ceil(64));
@@ -96,24 +174,24 @@ impl VersionSpaceTables {
 }
 
 impl LearnerLayout {
-    pub(crate) const fn new(capacity: Capacity) -> Option<LearnerLayout> {
+    pub(crate) const fn new(capacity: Capacity, precision: Precision) -> Option<LearnerLayout> {
         let mut packer = Packer { size: 0 };
         let handle = append!(packer, 1);
         let region = append!(packer, 1);
         let Some(domain) = DomainLayout::new(&mut packer) else {
             return None;
         };
-        let tables = match capacity {
-            Capacity::Algorithm1(capacity) => match Algorithm1Tables::new(&mut packer, capacity) {
-                Some(tables) => Tables::Algorithm1(tables),
+        let tables = match precision {
+            #[cfg(feature = "f32")]
+            Precision::Single => match KindTables::new(&mut packer, capacity) {
+                Some(tables) => Tables::Single(tables),
                 None => return None,
             },
-            Capacity::VersionSpace(capacity) => {
-                match VersionSpaceTables::new(&mut packer, capacity) {
-                    Some(tables) => Tables::VersionSpace(tables),
-                    None => return None,
-                }
-            }
+            #[cfg(feature = "f64")]
+            Precision::Double => match KindTables::new(&mut packer, capacity) {
+                Some(tables) => Tables::Double(tables),
+                None => return None,
+            },
         };
         Some(LearnerLayout {
             handle,
@@ -126,9 +204,14 @@ impl LearnerLayout {
 
     /// The capacity with the most hypotheses, up to a number, for which there is
     /// room in so many bytes.
-    pub(crate) fn largest(bytes: usize, capacity: Capacity, most: usize) -> Capacity {
+    pub(crate) fn largest(
+        bytes: usize,
+        capacity: Capacity,
+        precision: Precision,
+        most: usize,
+    ) -> Capacity {
         let fits = |hypotheses| {
-            let layout = LearnerLayout::new(capacity.with_hypotheses(hypotheses));
+            let layout = LearnerLayout::new(capacity.with_hypotheses(hypotheses), precision);
             layout.is_some_and(|layout| layout.size <= bytes)
         };
         let (mut enough, mut too_many) = (0, most.saturating_add(1));
@@ -153,41 +236,17 @@ impl LearnerLayout {
         domain: &Domain<'_>,
         config: &critreg_config,
     ) -> Fallible<AnyLearner> {
-        match &self.tables {
-            Tables::Algorithm1(tables) => {
-                // SAFETY: by this function's contract; the parts do not overlap.
-                let (settings, memory) = unsafe {
-                    let lent = learn::Memory {
-                        features: tables.features.fill(memory, Node::Number(0.0)),
-                        values: tables.values.fill(memory, 0.0),
-                        pairs: tables.pairs.fill(memory, 0),
-                        bounds: tables.bounds.fill(memory, Default::default()),
-                        observations: tables.observations.fill(memory, Default::default()),
-                    };
-                    (config.algorithm1(domain)?, lent)
-                };
-                let learner = Algorithm1::new(domain, settings, tables.capacity, memory)?;
-                Ok(AnyLearner::Algorithm1(learner))
-            }
-            Tables::VersionSpace(tables) => {
-                let settings = config.version_space()?;
-                // SAFETY: by this function's contract; the parts do not overlap.
-                let memory = unsafe {
-                    version_space::Memory {
-                        features: tables.features.fill(memory, Node::Number(0.0)),
-                        values: tables.values.fill(memory, 0.0),
-                        columns: tables.columns.fill(memory, 0),
-                        instances: tables.instances.fill(memory, 0.0),
-                        spans: tables.spans.fill(memory, Default::default()),
-                        bits: tables.bits.fill(memory, 0),
-                        rows: tables.rows.fill(memory, 0.0),
-                        covers: tables.covers.fill(memory, Default::default()),
-                        samples: tables.samples.fill(memory, Default::default()),
-                        observations: tables.observations.fill(memory, Default::default()),
-                    }
-                };
-                let learner = VersionSpace::new(domain, settings, tables.capacity, memory)?;
-                Ok(AnyLearner::VersionSpace(learner))
+        // SAFETY: by this function's contract.
+        unsafe {
+            match &self.tables {
+                #[cfg(feature = "f32")]
+                Tables::Single(tables) => {
+                    tables.make(memory, domain, config).map(AnyLearner::Single)
+                }
+                #[cfg(feature = "f64")]
+                Tables::Double(tables) => {
+                    tables.make(memory, domain, config).map(AnyLearner::Double)
+                }
             }
         }
     }
@@ -207,7 +266,7 @@ const fn promised(forms: usize, observations: usize, instances: usize, steps: us
 }
 
 const fn fits(capacity: Capacity, bytes: usize) -> bool {
-    match LearnerLayout::new(capacity) {
+    match LearnerLayout::new(capacity, Precision::DEFAULT) {
         Some(layout) => layout.size <= bytes,
         None => false,
     }
@@ -231,6 +290,7 @@ const _: () = {
             };
             let second = version_space::Capacity {
                 forms,
+                tracked: usize::MAX,
                 observations,
                 instances,
                 steps,

@@ -123,13 +123,14 @@ pub(crate) unsafe fn problem<'a>(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_learner_size(config: *const critreg_config) -> usize {
     // SAFETY: the header makes it the caller's promise.
-    let capacity = unsafe { config::read(config) }.and_then(|config| config.capacity());
-    let told = capacity.map(|capacity| match capacity.hypotheses() {
-        0 => capacity.with_hypotheses(CRITREG_DEFAULT_HYPOTHESES as usize),
-        _ => capacity,
+    let layout = unsafe { config::read(config) }.and_then(|config| {
+        let mut capacity = config.capacity()?;
+        if capacity.hypotheses() == 0 {
+            capacity = capacity.with_hypotheses(CRITREG_DEFAULT_HYPOTHESES as usize);
+        }
+        Ok(LearnerLayout::new(capacity, config.precision()?))
     });
-    let layout = told.ok().and_then(LearnerLayout::new);
-    layout.map_or(0, |layout| layout.size)
+    layout.ok().flatten().map_or(0, |layout| layout.size)
 }
 
 /// The alignment in bytes that the memory of a learner needs. An array of
@@ -195,12 +196,13 @@ unsafe fn init(
             Output::new(learner, "learner")?,
         )
     };
+    let precision = config.precision()?;
     let mut capacity = config.capacity()?;
     if capacity.hypotheses() == 0 {
         let most = CRITREG_MAX_DEFAULT_HYPOTHESES as usize;
-        capacity = LearnerLayout::largest(memory_len, capacity, most);
+        capacity = LearnerLayout::largest(memory_len, capacity, precision, most);
     }
-    let layout = LearnerLayout::new(capacity)
+    let layout = LearnerLayout::new(capacity, precision)
         .filter(|layout| layout.size <= memory_len && capacity.hypotheses() >= FEWEST_HYPOTHESES)
         .ok_or(Failure::TooSmall("the memory of the learner"))?;
     // SAFETY: the memory was checked for NULL, alignment and length; the caller

@@ -147,6 +147,7 @@ fn give_region(handle: &critreg_learner, inner: &mut Inner) -> Fallible<*const c
             inner.region,
             handle.domain,
             region,
+            inner.learner.precision(),
             inner.learner.evidence(),
         )
     };

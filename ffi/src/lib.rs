@@ -11,6 +11,7 @@
 //! | [`status`] | status codes and the words for them |
 //! | [`memory`] | how much memory a handle takes |
 //! | [`config`] | what a learner is told to do |
+//! | [`precision`] | what numbers are computed with |
 //! | [`report`] | how learning went |
 //! | [`learner`] | a learner in the caller's memory |
 //! | [`learning`] | asking and telling |
@@ -75,6 +76,7 @@ mod planner_names;
 mod planner_world;
 pub mod planning;
 mod pointer;
+pub mod precision;
 pub mod region;
 pub mod report;
 pub mod rng;

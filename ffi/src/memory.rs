@@ -199,12 +199,13 @@ impl DomainLayout {
         // SAFETY: by this function's contract; the two parts do not overlap, and
         // after this function both are only read.
         let (place, room) = unsafe { (self.domain.place(memory), self.text.fill(memory, 0)) };
-        let domain = Domain::parse(copy_text(text, room)?)?;
         // SAFETY: as above; a domain needs no drop, so what was there may be lost.
-        unsafe {
-            place.write(domain);
-            Ok(&*place)
-        }
+        let domain = unsafe {
+            place.write(Domain::empty());
+            &mut *place
+        };
+        domain.read(copy_text(text, room)?)?;
+        Ok(domain)
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::handle::{self, Handle};
 use crate::memory::{ALIGNMENT, CRITREG_DOMAIN_TEXT_MAX, RegionLayout};
 use crate::pointer::{self, Output};
+use crate::precision::Precision;
 use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::text;
 use core::ffi::{c_char, c_void};
@@ -11,6 +12,7 @@ use critreg_core::Error;
 use critreg_core::domain::Domain;
 use critreg_core::grammar::MAX_CONSTRAINTS;
 use critreg_core::learn::version_space::Evidence;
+use critreg_core::real::Real;
 use critreg_core::region::{Grounded, Region, SavedRegion};
 
 /// Longest region text in bytes, with its NUL: what saved bytes can hold.
@@ -23,6 +25,8 @@ pub struct critreg_region {
     seal: usize,
     pub(crate) domain: &'static Domain<'static>,
     pub(crate) region: Region,
+    /// What is computed with: what the learner did.
+    pub(crate) precision: Precision,
     /// What supports the first constraints, in their order; a region that was
     /// parsed or loaded knows none.
     evidence: [Evidence; MAX_CONSTRAINTS],
@@ -49,6 +53,7 @@ impl critreg_region {
         place: *mut critreg_region,
         domain: &'static Domain<'static>,
         region: Region,
+        precision: Precision,
         support: &[Evidence],
     ) {
         let mut evidence = [Evidence::default(); MAX_CONSTRAINTS];
@@ -59,6 +64,7 @@ impl critreg_region {
             seal: 0,
             domain,
             region,
+            precision,
             evidence,
             known: support.len(),
         };
@@ -76,7 +82,7 @@ impl critreg_region {
     ///
     /// # Safety
     /// If not NULL and aligned, `instance` is readable for one instance.
-    pub(crate) unsafe fn ground(&self, instance: *const f64) -> Fallible<Grounded<'_, f64>> {
+    pub(crate) unsafe fn ground<R: Real>(&self, instance: *const f64) -> Fallible<Grounded<'_, R>> {
         // SAFETY: by this function's contract.
         let instance = unsafe { self.instance(instance)? };
         Ok(self.region.ground(self.domain, instance)?)
@@ -217,7 +223,7 @@ unsafe fn make(
         handle::retire(place);
         let domain = layout.domain.put(memory, domain_text)?;
         let region = Region::parse(domain, text)?;
-        critreg_region::put(place, domain, region, &[]);
+        critreg_region::put(place, domain, region, Precision::DEFAULT, &[]);
         output.write(place);
     }
     Ok(())

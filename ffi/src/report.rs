@@ -1,6 +1,6 @@
 //! How learning went, for C.
 
-use crate::any::AnyLearner;
+use crate::any::{AnyLearner, Report};
 use crate::status::{critreg_status, status_of};
 use crate::structs::{self, Versioned};
 use core::ffi::c_void;
@@ -97,9 +97,9 @@ pub type critreg_progress = Option<
 
 impl critreg_report {
     pub(crate) fn new(learner: &AnyLearner) -> Self {
-        match learner {
-            AnyLearner::Algorithm1(learner) => Self::of_algorithm1(&learner.report()),
-            AnyLearner::VersionSpace(learner) => Self::of_version_space(&learner.report()),
+        match learner.report() {
+            Report::Algorithm1(report) => Self::of_algorithm1(&report),
+            Report::VersionSpace(report) => Self::of_version_space(&report),
         }
     }
 

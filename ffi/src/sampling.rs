@@ -2,10 +2,12 @@
 
 use crate::handle;
 use crate::pointer::{self, Output, OutputArray};
+use crate::precision::{Precision, in_precision};
 use crate::region::{critreg_region, with_region};
 use crate::rng::{critreg_rng, with_rng};
 use crate::status::{Failure, Fallible, critreg_status, status_of};
 use critreg_core::Error;
+use critreg_core::real::Real;
 use critreg_core::region::{Intersection, Part, Theta};
 use heapless::Vec;
 
@@ -31,7 +33,10 @@ pub unsafe extern "C" fn critreg_region_contains(
             let output = Output::new(inside, "inside")?;
             let count = handle.domain.parameters().len();
             let theta = pointer::slice(theta, count, "theta")?;
-            output.write(i32::from(handle.ground(instance)?.contains(theta)?));
+            let contains = in_precision!(handle.precision, R => {
+                handle.ground::<R>(instance)?.contains(theta)?
+            });
+            output.write(i32::from(contains));
             Ok(())
         })
     }
@@ -71,18 +76,20 @@ pub unsafe extern "C" fn critreg_region_intervals(
             if capacity > 0 {
                 pointer::check(ends, "ends")?;
             }
-            let grounded = handle.ground(instance)?;
-            let set = grounded.intervals()?;
-            let intervals = set.intervals();
-            count.write(intervals.len());
-            if intervals.len() > capacity {
-                return Err(Failure::TooSmall("the array for the intervals"));
-            }
-            let numbers = intervals.iter().flat_map(|i| [i.low, i.high]);
-            for (index, number) in numbers.enumerate() {
-                ends.add(index).write(number);
-            }
-            Ok(())
+            in_precision!(handle.precision, R => {
+                let grounded = handle.ground::<R>(instance)?;
+                let set = grounded.intervals()?;
+                let intervals = set.intervals();
+                count.write(intervals.len());
+                if intervals.len() > capacity {
+                    return Err(Failure::TooSmall("the array for the intervals"));
+                }
+                let numbers = intervals.iter().flat_map(|i| [i.low, i.high]);
+                for (index, number) in numbers.enumerate() {
+                    ends.add(index).write(number.to_f64());
+                }
+                Ok(())
+            })
         })
     }
 }
@@ -106,7 +113,10 @@ pub unsafe extern "C" fn critreg_region_is_empty(
     unsafe {
         with_region(region, |handle| {
             let output = Output::new(empty, "empty")?;
-            output.write(i32::from(handle.ground(instance)?.is_proven_empty()?));
+            let empty = in_precision!(handle.precision, R => {
+                handle.ground::<R>(instance)?.is_proven_empty()?
+            });
+            output.write(i32::from(empty));
             Ok(())
         })
     }
@@ -149,7 +159,9 @@ pub unsafe extern "C" fn critreg_sample_region(
             let output = OutputArray::new(theta, count, "theta")?;
             let (region, domain) = (&handle.region, handle.domain);
             let instance = handle.instance(instance)?;
-            let drawn: Theta = with_rng(rng, |rng| region.sample::<f64>(domain, instance, rng))??;
+            let drawn: Theta = in_precision!(handle.precision, R => {
+                with_rng(rng, |rng| region.sample::<R>(domain, instance, rng))??
+            });
             output.write(&drawn);
             Ok(())
         })
@@ -159,39 +171,49 @@ pub unsafe extern "C" fn critreg_sample_region(
 /// Most regions of critreg_sample_regions() and critreg_regions_are_empty().
 pub const CRITREG_MAX_REGIONS: usize = 32;
 
-/// The intersection of the caller's regions, if there is at least one.
+/// Regions with an instance each.
+struct Parts<'a> {
+    parts: Vec<Part<'a>, CRITREG_MAX_REGIONS>,
+    /// How many parameters the action has.
+    parameters: usize,
+    /// The finest of the regions'.
+    precision: Precision,
+}
+
+/// The caller's regions, of which there is at least one.
 ///
 /// # Safety
 /// If not NULL and aligned, `regions` and `instances` have `count` pointers; those
 /// to regions are readable for as long as a region is, those to instances for one
 /// instance of their region.
-unsafe fn with_intersection(
+unsafe fn parts<'a>(
     regions: *const *const critreg_region,
     instances: *const *const f64,
     count: usize,
-    body: impl FnOnce(&Intersection<'_, f64>, usize) -> Fallible,
-) -> Fallible {
-    if count == 0 {
-        return Err(Failure::invalid("an intersection needs a region"));
-    }
-    let mut parts: Vec<Part<'_>, CRITREG_MAX_REGIONS> = Vec::new();
+) -> Fallible<Parts<'a>> {
+    let mut all: Option<Parts<'a>> = None;
     // SAFETY: by this function's contract, for all.
     unsafe {
         let regions = pointer::slice(regions, count, "regions")?;
         let instances = pointer::slice(instances, count, "instances")?;
         for (region, instance) in regions.iter().zip(instances) {
-            let handle = handle::open(*region)?;
+            let handle: &'a critreg_region = handle::open(*region)?;
+            let all = all.get_or_insert_with(|| Parts {
+                parts: Vec::new(),
+                parameters: handle.domain.parameters().len(),
+                precision: handle.precision,
+            });
+            all.precision = all.precision.finer(handle.precision);
             let part = Part {
                 region: &handle.region,
                 domain: handle.domain,
                 instance: handle.instance(*instance)?,
             };
             let full = Error::CapacityExceeded("regions of an intersection");
-            parts.push(part).map_err(|_| full)?;
+            all.parts.push(part).map_err(|_| full)?;
         }
     }
-    let parameters = parts.first().map_or(0, |p| p.domain.parameters().len());
-    body(&Intersection::new(&parts)?, parameters)
+    all.ok_or(Failure::invalid("an intersection needs a region"))
 }
 
 /// Draws parameters that several regions admit, each in an instance of its own: the
@@ -237,10 +259,13 @@ pub unsafe extern "C" fn critreg_sample_regions(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     let drawn = unsafe {
-        with_intersection(regions, instances, count, |intersection, parameters| {
-            let output = OutputArray::new(theta, parameters, "theta")?;
-            output.write(&with_rng(rng, |rng| intersection.sample(rng))??);
-            Ok(())
+        parts(regions, instances, count).and_then(|all| {
+            in_precision!(all.precision, R => {
+                let intersection = Intersection::<R>::new(&all.parts)?;
+                let output = OutputArray::new(theta, all.parameters, "theta")?;
+                output.write(&with_rng(rng, |rng| intersection.sample(rng))??);
+                Ok(())
+            })
         })
     };
     status_of(drawn)
@@ -266,9 +291,12 @@ pub unsafe extern "C" fn critreg_regions_are_empty(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     let answer = unsafe {
-        with_intersection(regions, instances, count, |intersection, _| {
+        parts(regions, instances, count).and_then(|all| {
             let output = Output::new(empty, "empty")?;
-            output.write(i32::from(intersection.is_proven_empty()?));
+            let is_empty = in_precision!(all.precision, R => {
+                Intersection::<R>::new(&all.parts)?.is_proven_empty()?
+            });
+            output.write(i32::from(is_empty));
             Ok(())
         })
     };

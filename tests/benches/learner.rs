@@ -35,6 +35,7 @@ fn crowd(seed: u64, count: usize) -> Vec<f64> {
 fn room(forms: usize, observations: usize, instances: usize) -> VersionSpaceRoom {
     VersionSpaceRoom::new(Capacity {
         forms,
+        tracked: usize::MAX,
         observations,
         instances,
         steps: 1,

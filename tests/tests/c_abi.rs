@@ -65,6 +65,11 @@ fn chains_noise_and_certificates() {
 }
 
 #[test]
+fn learning_with_float() {
+    passes("precision", &["precision.c"]);
+}
+
+#[test]
 fn two_translation_units_include_the_header() {
     passes("two_units", &["two_units_main.c", "two_units_other.c"]);
 }

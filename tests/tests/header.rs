@@ -4,9 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 19] = [
+const SOURCES: [&str; 20] = [
     "status.rs",
     "memory.rs",
+    "precision.rs",
     "report.rs",
     "config.rs",
     "learner.rs",

@@ -19,6 +19,7 @@ const SMALL: &str = "
 fn room(forms: usize, observations: u32, instances: usize) -> VersionSpaceRoom {
     VersionSpaceRoom::new(Capacity {
         forms,
+        tracked: usize::MAX,
         observations: observations as usize,
         instances,
         steps: 1,

@@ -2,7 +2,7 @@
 
 use critreg::Error;
 use critreg::domain::Domain;
-use critreg::learn::version_space::{Capacity, Config};
+use critreg::learn::version_space::{Capacity, Config, Evidence};
 use critreg::learn::{
     Answer, Learner, Observation, Problem, Query, VersionSpace, learn_region, resume, save,
     saved_len,
@@ -28,6 +28,7 @@ const CALLS: u32 = 80;
 fn room(calls: u32, instances: usize, steps: usize) -> VersionSpaceRoom {
     VersionSpaceRoom::new(Capacity {
         forms: 4000,
+        tracked: usize::MAX,
         observations: calls as usize,
         instances,
         steps,
@@ -254,6 +255,7 @@ fn misuse_is_refused_and_changes_nothing() {
 fn the_table_of_bytes_is_right() {
     let capacity = Capacity {
         forms: 4096,
+        tracked: usize::MAX,
         observations: 256,
         instances: 4,
         steps: 1,
@@ -267,4 +269,50 @@ fn the_table_of_bytes_is_right() {
     let covers = size_of::<critreg::learn::version_space::Cover<f64>>() * capacity.covers();
     assert!(covers <= 5120, "{covers}");
     assert_eq!(size_of::<Observation>(), 56);
+}
+
+/// What a learner finds with so many forms tracked: its questions, region and evidence.
+fn learn_tracking(
+    scenario: &report::Scenario,
+    tracked: usize,
+) -> (Vec<Observation>, String, Vec<Evidence>) {
+    let instances = scenario.draw(5, scenario.instances);
+    let problem = Problem::new(&scenario.domain, &instances, scenario.instances).unwrap();
+    let mut room = VersionSpaceRoom::new(Capacity {
+        forms: 1024,
+        tracked,
+        observations: scenario.calls as usize,
+        instances: scenario.instances,
+        steps: scenario.steps,
+    });
+    let config = Config {
+        seed: 3,
+        calls: scenario.calls,
+        ..Config::default()
+    };
+    let capacity = room.capacity;
+    let domain = &scenario.domain;
+    let mut learner = VersionSpace::<f64>::new(domain, config, capacity, room.lend()).unwrap();
+    let region = learn_region(&mut learner, &problem, |_, query| {
+        let theta = &query.theta[..domain.parameters().len()];
+        Ok::<_, Error>(scenario.judge(problem.instance(query.instance)?, theta))
+    });
+    let mut text = String::new();
+    region.unwrap().write(domain, &mut text).unwrap();
+    (
+        learner.observations().to_vec(),
+        text,
+        learner.evidence().to_vec(),
+    )
+}
+
+#[test]
+fn what_is_not_tracked_is_computed() {
+    for scenario in [report::pick(), report::chain(), report::interval()] {
+        let all = learn_tracking(&scenario, usize::MAX);
+        for tracked in [0, 333] {
+            let some = learn_tracking(&scenario, tracked);
+            assert_eq!(some, all, "{} with {tracked} tracked", scenario.name);
+        }
+    }
 }

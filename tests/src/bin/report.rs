@@ -155,6 +155,7 @@ fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
     };
     let mut room = VersionSpaceRoom::new(version_space::Capacity {
         forms: 12_000,
+        tracked: usize::MAX,
         observations,
         instances: scenario.instances,
         steps: scenario.steps,

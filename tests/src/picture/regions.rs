@@ -32,6 +32,7 @@ impl Learned {
         let problem = Problem::new(domain, &instances, scenario.instances).expect("valid");
         let mut room = VersionSpaceRoom::new(Capacity {
             forms: 12_000,
+            tracked: usize::MAX,
             observations: scenario.calls as usize,
             instances: scenario.instances,
             steps: scenario.steps,

@@ -54,6 +54,7 @@ impl TrainingRoom {
         let calls = 2 * training.learner.calls as usize;
         let capacity = Capacity {
             forms: 12_000,
+            tracked: usize::MAX,
             observations: calls.max(instances),
             instances,
             steps: 2,

@@ -4,7 +4,7 @@ mod objects;
 mod places;
 
 use super::dimension::Dimension;
-use super::expression::{Node, NodeId};
+use super::expression::{Node, NodeId, copy};
 use super::schema::{Attribute, Constant, Domain, Parameter, Type};
 use crate::error::Error;
 use crate::text::{Lexer, split_at_dot};
@@ -58,37 +58,61 @@ impl<'t> Domain<'t> {
     /// [`Error::Syntax`] with line and column, [`Error::CapacityExceeded`] if
     /// there are more things than the `MAX_` constants of this module allow.
     pub fn parse(text: &'t str) -> Result<Domain<'t>, Error> {
+        let mut domain = Domain::empty();
+        domain.read(text)?;
+        Ok(domain)
+    }
+
+    /// A domain in which there is nothing.
+    pub const fn empty() -> Domain<'t> {
+        Domain {
+            types: Vec::new(),
+            attributes: Vec::new(),
+            objects: Vec::new(),
+            groups: Vec::new(),
+            constants: Vec::new(),
+            parameters: Vec::new(),
+            points: Vec::new(),
+            shapes: Vec::new(),
+            nodes: Vec::new(),
+            slots: 0,
+            text: "",
+            fingerprint: 0,
+        }
+    }
+
+    /// As [`Domain::parse`], into an empty domain where it lies: domains are large, and
+    /// small machines have no stack for a second one.
+    ///
+    /// # Errors
+    /// Those of [`Domain::parse`], and [`Error::OutOfSequence`] for a domain that is not
+    /// empty. After an error the domain is of no use.
+    pub fn read(&mut self, text: &'t str) -> Result<(), Error> {
+        if !self.text.is_empty() {
+            return Err(Error::OutOfSequence("the domain was read already"));
+        }
+        self.text = text;
+        self.fingerprint = CHECKSUM.checksum(text.as_bytes());
         let mut parser = DomainParser {
-            domain: Domain {
-                types: Vec::new(),
-                attributes: Vec::new(),
-                objects: Vec::new(),
-                groups: Vec::new(),
-                constants: Vec::new(),
-                parameters: Vec::new(),
-                points: Vec::new(),
-                shapes: Vec::new(),
-                nodes: Vec::new(),
-                slots: 0,
-                text,
-                fingerprint: CHECKSUM.checksum(text.as_bytes()),
-            },
+            domain: self,
             lexer: Lexer::new(text),
             own: None,
         };
-        parser.statements()?;
-        Ok(parser.domain)
+        parser.statements()
     }
 }
 
-struct DomainParser<'t> {
-    domain: Domain<'t>,
+/// Most terms of one expression for an offset, turn, size or value.
+const MAX_TERMS: usize = 32;
+
+struct DomainParser<'d, 't> {
+    domain: &'d mut Domain<'t>,
     lexer: Lexer<'t>,
     /// The group whose members get the point that is being read.
     own: Option<u8>,
 }
 
-impl<'t> DomainParser<'t> {
+impl<'t> DomainParser<'_, 't> {
     fn statements(&mut self) -> Result<(), Error> {
         while self.lexer.token() != crate::text::Token::End {
             if self.lexer.accept("type") {
@@ -237,7 +261,7 @@ impl<'t> DomainParser<'t> {
     /// An expression over what is declared so far, without points.
     fn expression(&mut self) -> Result<NodeId, Error> {
         let at = self.lexer.clone();
-        let mut nodes = self.domain.nodes.clone();
+        let mut nodes: Vec<Node, MAX_TERMS> = Vec::new();
         let mut parser = self.domain.parser(&mut nodes, self.own);
         let id = parser.expression(&mut self.lexer)?;
         let simple = |n: &Node| {
@@ -255,8 +279,7 @@ impl<'t> DomainParser<'t> {
                 at.error("offsets, sizes and values cannot refer to points, areas, min or max")
             );
         }
-        self.domain.nodes = nodes;
-        Ok(id)
+        copy(&nodes, id, &mut self.domain.nodes)
     }
 
     /// The value of an expression over constants, and what it measures.

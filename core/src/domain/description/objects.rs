@@ -12,7 +12,7 @@ const FULL: Error = Error::CapacityExceeded("objects of a domain");
 /// A name that is declared, and how many members a group of that name has.
 type Named<'t> = (&'t str, Option<u8>);
 
-impl<'t> DomainParser<'t> {
+impl<'t> DomainParser<'_, 't> {
     pub(super) fn object_statement(&mut self) -> Result<(), Error> {
         let mut all: Vec<Named<'t>, MAX_OBJECTS> = Vec::new();
         loop {

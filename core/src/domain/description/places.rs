@@ -14,7 +14,7 @@ struct Extent {
     high: Option<NodeId>,
 }
 
-impl<'t> DomainParser<'t> {
+impl<'t> DomainParser<'_, 't> {
     pub(super) fn shape_statement(&mut self) -> Result<(), Error> {
         let at = self.lexer.clone();
         let name = self.lexer.expect_name("expected the name of an object")?;

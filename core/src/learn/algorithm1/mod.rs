@@ -347,6 +347,7 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
     fn fingerprint(&self) -> u32 {
         let mut digest = CHECKSUM.digest();
         digest.update(b"algorithm1");
+        digest.update(R::NAME.as_bytes());
         digest.update(&self.config.seed.to_le_bytes());
         digest.update(&self.config.iterations.to_le_bytes());
         digest.update(&self.report.enumeration.kept.to_le_bytes());

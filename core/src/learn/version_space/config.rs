@@ -10,8 +10,8 @@ use crate::learn::Observation;
 ///
 /// | table of [`Memory`] | bytes, numbers of 8 bytes |
 /// |---|---|
-/// | `spans` | 16 per form and step |
-/// | `bits` | 16 per form and 64 observations |
+/// | `spans` | 16 per form tracked and step |
+/// | `bits` | 16 per form tracked and 64 observations |
 /// | `features`, `values`, `columns` | 26 per 8 forms, and 64 more |
 /// | `instances` | 1 per form and instance, and 512 per instance |
 /// | `rows` | [`Capacity::lefts`] times 8 per observation |
@@ -21,6 +21,10 @@ use crate::learn::Observation;
 pub struct Capacity {
     /// Forms; those that find no room are left out, the most complex ones.
     pub forms: usize,
+    /// Of how many of them, the simplest ones, the version space is tracked; of all if
+    /// there are fewer. That of the others is computed from the samples whenever it is
+    /// needed: what is learned is the same, for less memory and more time.
+    pub tracked: usize,
     /// Observations: answers that can be told, at most 2048.
     pub observations: usize,
     /// Problem instances.
@@ -51,14 +55,23 @@ impl Capacity {
         self.features() * self.instances
     }
 
+    /// Forms whose version space is tracked.
+    pub(super) const fn tracked(self) -> usize {
+        if self.tracked < self.forms {
+            self.tracked
+        } else {
+            self.forms
+        }
+    }
+
     /// Intervals of forms.
     pub const fn spans(self) -> usize {
-        self.forms * self.steps
+        self.tracked() * self.steps
     }
 
     /// Words of the table that tells which form excludes which observation.
     pub const fn bits(self) -> usize {
-        2 * self.forms * self.observations.div_ceil(64)
+        2 * self.tracked() * self.observations.div_ceil(64)
     }
 
     /// Numbers that the left sides have at the samples.

@@ -10,7 +10,7 @@ use super::bound::Bound;
 use super::clause::{best_clause, corner};
 use super::forms::{Forms, MAX_WORDS, Set, Side, tolerance};
 use super::greedy::{Taste, best_side};
-use super::set::{count, insert, intersect, is_empty, members, remove};
+use super::set::{count, insert, is_empty, members, remove};
 use crate::random::Generator;
 use crate::real::Real;
 use crate::table::{move_last, take_out};
@@ -86,18 +86,15 @@ impl<R: Real> Chosen<R> {
 
     /// The infeasible samples of a step that it excludes whichever threshold is true.
     pub(super) fn excluded(&self, forms: &Forms<'_, R>, step: usize) -> Set {
-        let infeasible = forms.infeasible(step);
         let Some(or) = &self.or else {
-            let mut set = forms.excluded(&self.bound.side);
-            intersect(&mut set, &infeasible);
-            return set;
+            return forms.excluded(&self.bound.side, step);
         };
         let mut set = [0; MAX_WORDS];
         let beyond = |bound: &Bound<R>, sample: usize| {
             let value = forms.value_at(&bound.side, sample);
             value > bound.inner + tolerance(value)
         };
-        for sample in members(&infeasible) {
+        for sample in members(&forms.infeasible(step)) {
             if beyond(&self.bound, sample) && beyond(or, sample) {
                 insert(&mut set, sample);
             }
@@ -376,7 +373,7 @@ impl<R: Real> Cover<R> {
             let alone = self.alone(forms, step, (index, &old), &overlap);
             let needed = (MOST * count(&alone) as f64) as u32;
             let (mut best, mut least) = (old, old.bits(forms, &others) + details(&old) - SHORTER);
-            forms.for_each_count(&alone, |side, count| {
+            forms.for_each_count(step, &alone, |side, count| {
                 let mut new = Chosen::new(Bound::inside(forms, side, step));
                 if count < needed || new.bits(forms, &others) >= least {
                     return;

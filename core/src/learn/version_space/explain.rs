@@ -107,8 +107,9 @@ fn threshold<R: Real>(
                 let clearance = clearance_of(domain, forms, bound, &named);
                 named.name = clearance.unwrap_or(named.name);
             }
-            let value = bound.side.outward(R::from_f64(named.name.value));
-            (outward(value.max(bound.inner)), Some(named))
+            let exact = named.name.value;
+            let fits = bound.side.outward(R::from_f64(exact)) >= bound.inner;
+            (if fits { exact } else { outward(bound.inner) }, Some(named))
         }
         _ => (outward(bound.middle()), None),
     }

@@ -59,7 +59,7 @@ impl<R: Real> VersionSpace<'_, R> {
         forms.for_each_side(u8::MAX, |side| {
             let value = forms.value(&side, instance, lefts);
             inside &= value <= forms.last_feasible(&side, step);
-            let mut excluded = forms.excluded(&side);
+            let mut excluded = forms.excluded(&side, step);
             remove(&mut open, &excluded);
             for sample in members(&excluded.clone()) {
                 if forms.value_at(&side, sample) <= value

@@ -185,6 +185,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             rows: cut(rows, capacity.rows())?,
             samples: cut(samples, capacity.observations)?,
             forms: capacity.forms,
+            tracked: capacity.tracked(),
             lefts: capacity.lefts(),
         });
         Ok(VersionSpace {
@@ -397,8 +398,10 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
     fn fingerprint(&self) -> u32 {
         let mut digest = CHECKSUM.digest();
         digest.update(b"version_space");
+        digest.update(R::NAME.as_bytes());
         let Capacity {
             forms,
+            tracked: _,
             observations: _,
             instances: _,
             steps,

@@ -3,6 +3,7 @@
 
 use super::{MAX_WORDS, Sample, Set, tolerance};
 use crate::real::Real;
+use core::ops::Range;
 
 /// The values of a form at the feasible samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,11 +41,17 @@ impl<R: Real> Span<R> {
     /// that is constant up to rounding explains nothing.
     #[inline(always)]
     pub(super) fn excludes(&self, value: R, upper: bool) -> bool {
-        if upper {
-            value - tolerance(value) > self.high
-        } else {
-            value + tolerance(value) < self.low
-        }
+        excludes(if upper { self.high } else { self.low }, value, upper)
+    }
+}
+
+/// Whether a value lies beyond the end of S on one side, see [`Span::excludes`].
+#[inline(always)]
+pub(super) fn excludes<R: Real>(end: R, value: R, upper: bool) -> bool {
+    if upper {
+        value - tolerance(value) > end
+    } else {
+        value + tolerance(value) < end
     }
 }
 
@@ -90,6 +97,21 @@ impl<R: Real> Known<'_, R> {
         }
     }
 
+    /// The values of forms with one left side and neighbouring right sides.
+    #[inline(always)]
+    pub(super) fn values(
+        &self,
+        left: usize,
+        columns: &Range<usize>,
+        sample: usize,
+    ) -> impl Iterator<Item = R> {
+        let instance = self.samples.get(sample).map_or(0, |s| s.instance as usize);
+        let left = self.rows.get(sample * self.left_count + left).copied();
+        let left = left.unwrap_or(R::NAN);
+        let rights = self.rights(instance).get(columns.clone()).unwrap_or(&[]);
+        rights.iter().map(move |right| left - *right)
+    }
+
     /// Brings up to date which infeasible samples of a step a form excludes on a side
     /// on which S grew.
     #[expect(clippy::too_many_arguments)]
@@ -97,7 +119,7 @@ impl<R: Real> Known<'_, R> {
     pub(super) fn settle_bits(
         &self,
         bits: &mut [u64],
-        capacity: usize,
+        tracked: usize,
         words: usize,
         form: usize,
         left: usize,
@@ -106,9 +128,9 @@ impl<R: Real> Known<'_, R> {
         upper: bool,
         step: &Step,
     ) {
-        let start = usize::from(upper) * capacity + form;
+        let start = usize::from(upper) * tracked + form;
         let planes = bits.get_mut(start..).unwrap_or(&mut []);
-        let slots = planes.iter_mut().step_by((2 * capacity).max(1));
+        let slots = planes.iter_mut().step_by((2 * tracked).max(1));
         for (word, (slot, mask)) in slots.zip(&step.infeasible).take(words).enumerate() {
             let mut open = *mask & *slot;
             while open != 0 {

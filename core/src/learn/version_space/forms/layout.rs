@@ -28,6 +28,23 @@ pub(in crate::learn::version_space) struct Run {
 }
 
 impl Run {
+    /// The forms before `form`, and the others.
+    pub(super) fn split(self, form: usize) -> (Run, Run) {
+        let tracked = form.clamp(self.forms.start, self.forms.end);
+        let column = self.columns.start + (tracked - self.forms.start);
+        let first = Run {
+            columns: self.columns.start..column,
+            forms: self.forms.start..tracked,
+            ..self
+        };
+        let second = Run {
+            columns: column..self.columns.end,
+            forms: tracked..self.forms.end,
+            ..self
+        };
+        (first, second)
+    }
+
     /// A form of the run from one direction.
     pub(super) fn side(&self, form: usize, column: usize, upper: bool) -> Side {
         Side {

@@ -3,7 +3,8 @@
 //! A form is a difference `left - right` of a feature that depends on the sample
 //! and one that depends on the instance only, or nothing. Its version space is an
 //! interval: S, all values at feasible samples. An infeasible sample is a bit per
-//! form and direction: whether its value lies outside of S, on that side.
+//! form and direction: whether its value lies outside of S, on that side. Of the first
+//! forms both are kept up to date, of the others computed when needed, to save memory.
 //!
 //! Right sides are evaluated once per instance, left sides once per sample; what
 //! is done per form is one subtraction and two comparisons, in long runs over
@@ -11,6 +12,7 @@
 
 mod known;
 mod layout;
+mod scan;
 mod update;
 
 pub use known::Span;
@@ -67,6 +69,8 @@ pub(in crate::learn::version_space) struct Forms<'m, R> {
     features: Features<'m, R>,
     layout: Layout,
     used: usize,
+    /// Of how many forms, the first ones, `spans` and `bits` tell.
+    tracked: usize,
     left_count: usize,
     columns: Table<'m, u16>,
     /// Right sides, one row per instance.
@@ -93,6 +97,7 @@ pub(in crate::learn::version_space) struct Storage<'m, R> {
     pub(in crate::learn::version_space) rows: &'m mut [R],
     pub(in crate::learn::version_space) samples: &'m mut [Sample],
     pub(in crate::learn::version_space) forms: usize,
+    pub(in crate::learn::version_space) tracked: usize,
     pub(in crate::learn::version_space) lefts: usize,
 }
 
@@ -123,6 +128,7 @@ impl<'m, R: Real> Forms<'m, R> {
             features: storage.features,
             layout,
             used: 0,
+            tracked: storage.tracked,
             left_count,
             columns: Table::new(storage.columns, "right sides of forms"),
             instances: storage.instances,
@@ -314,15 +320,6 @@ impl<'m, R: Real> Forms<'m, R> {
         self.steps.get(step).map_or([0; MAX_WORDS], |s| s.feasible)
     }
 
-    /// The end of S: the value farthest out at a feasible sample of a step.
-    pub(in crate::learn::version_space) fn last_feasible(&self, side: &Side, step: usize) -> R {
-        let own = self
-            .spans
-            .get(step * self.layout.capacity + side.form as usize);
-        let span = own.copied().unwrap_or_default();
-        if side.upper { span.high } else { -span.low }
-    }
-
     /// The length of a bound's description in bits: which form, unless it is named
     /// already, which direction, and which threshold of those that the samples tell
     /// apart.
@@ -363,69 +360,6 @@ impl<'m, R: Real> Forms<'m, R> {
             rows: self.rows,
             left_count: self.left_count,
             samples: self.samples.as_slice(),
-        }
-    }
-
-    /// The words `word` of all sets excluded, from above or from below.
-    fn plane(&self, word: usize, upper: bool) -> &[u64] {
-        let start = (2 * word + usize::from(upper)) * self.layout.capacity;
-        self.bits.get(start..start + self.used).unwrap_or(&[])
-    }
-
-    /// The infeasible samples that a form excludes.
-    pub(in crate::learn::version_space) fn excluded(&self, side: &Side) -> Set {
-        let mut set = [0; MAX_WORDS];
-        for (word, slot) in set.iter_mut().enumerate().take(self.words()) {
-            *slot = self
-                .plane(word, side.upper)
-                .get(side.form as usize)
-                .copied()
-                .unwrap_or(0);
-        }
-        set
-    }
-
-    /// Calls `visit` with every form up to a level, from both directions.
-    pub(in crate::learn::version_space) fn for_each_side(
-        &self,
-        level: u8,
-        mut visit: impl FnMut(Side),
-    ) {
-        for run in self.layout.runs() {
-            if run.level > usize::from(level) {
-                continue;
-            }
-            for (form, column) in run.forms.clone().zip(run.columns.clone()) {
-                visit(run.side(form, column, true));
-                visit(run.side(form, column, false));
-            }
-        }
-    }
-
-    /// Calls `visit` with every form from both directions and the number of
-    /// infeasible samples of `wanted` that it excludes, unless it is zero.
-    pub(in crate::learn::version_space) fn for_each_count(
-        &self,
-        wanted: &Set,
-        mut visit: impl FnMut(Side, u32),
-    ) {
-        let words = self.words();
-        for upper in [true, false] {
-            let start = usize::from(upper) * self.layout.capacity;
-            let planes = self.bits.get(start..).unwrap_or(&[]);
-            for run in self.layout.runs() {
-                for (form, column) in run.forms.clone().zip(run.columns.clone()) {
-                    let own = planes
-                        .iter()
-                        .skip(form)
-                        .step_by((2 * self.layout.capacity).max(1));
-                    let own = own.zip(wanted).take(words);
-                    let count = own.map(|(word, wanted)| (word & wanted).count_ones()).sum();
-                    if count > 0 {
-                        visit(run.side(form, column, upper), count);
-                    }
-                }
-            }
         }
     }
 }

@@ -49,12 +49,9 @@ impl<R: Real> Forms<'_, R> {
             *slot = *value;
         }
         if bit == 1 {
-            let start = 2 * word * self.layout.capacity;
-            let planes = self.bits.get_mut(start..).unwrap_or(&mut []);
-            planes
-                .iter_mut()
-                .take(2 * self.layout.capacity)
-                .for_each(|word| *word = 0);
+            let start = 2 * word * self.tracked;
+            let planes = self.bits.get_mut(start..start + 2 * self.tracked);
+            planes.unwrap_or(&mut []).fill(0);
         }
         for step in 0..worked {
             let own = self
@@ -79,10 +76,10 @@ impl<R: Real> Forms<'_, R> {
         Ok(())
     }
 
-    /// Widens S of every form by a feasible sample. Forms that were widened may
+    /// Widens S of every form that is tracked by a feasible sample. Forms that were widened may
     /// exclude less.
     fn widen(&mut self, instance: usize, lefts: &[R], step: usize) {
-        let capacity = self.layout.capacity;
+        let tracked = self.tracked;
         let Some(own) = self.steps.get(step).copied() else {
             return;
         };
@@ -95,8 +92,8 @@ impl<R: Real> Forms<'_, R> {
             samples: self.samples.as_slice(),
         };
         let rights = known.rights(instance);
-        let spans = self.spans.get_mut(step * capacity..).unwrap_or(&mut []);
-        for run in self.layout.runs() {
+        let spans = self.spans.get_mut(step * tracked..).unwrap_or(&mut []);
+        for (run, _) in self.layout.runs().map(|run| run.split(tracked)) {
             let left = lefts.get(run.left).copied().unwrap_or(R::NAN);
             let spans = spans.get_mut(run.forms.clone()).unwrap_or(&mut []);
             let rights = rights.get(run.columns.clone()).unwrap_or(&[]);
@@ -112,7 +109,7 @@ impl<R: Real> Forms<'_, R> {
                     // The first sample widens both sides.
                     while let Some(upper) = span.take_in(value) {
                         known.settle_bits(
-                            self.bits, capacity, words, form, run.left, column, span, upper, &own,
+                            self.bits, tracked, words, form, run.left, column, span, upper, &own,
                         );
                     }
                 }
@@ -120,17 +117,17 @@ impl<R: Real> Forms<'_, R> {
         }
     }
 
-    /// Notes which forms exclude an infeasible sample.
+    /// Notes which of the forms that are tracked exclude an infeasible sample.
     fn note_excluded(&mut self, instance: usize, lefts: &[R], step: usize, word: usize, bit: u64) {
-        let capacity = self.layout.capacity;
+        let tracked = self.tracked;
         let rights = self.instances.chunks_exact(self.width.max(1)).nth(instance);
         let rights = rights.unwrap_or(&[]);
-        let spans = self.spans.get(step * capacity..).unwrap_or(&[]);
-        let planes = self.bits.get_mut(2 * word * capacity..).unwrap_or(&mut []);
-        let Some((below, above)) = planes.split_at_mut_checked(capacity) else {
+        let spans = self.spans.get(step * tracked..).unwrap_or(&[]);
+        let planes = self.bits.get_mut(2 * word * tracked..).unwrap_or(&mut []);
+        let Some((below, above)) = planes.split_at_mut_checked(tracked) else {
             return;
         };
-        for run in self.layout.runs() {
+        for (run, _) in self.layout.runs().map(|run| run.split(tracked)) {
             let left = lefts.get(run.left).copied().unwrap_or(R::NAN);
             let spans = spans.get(run.forms.clone()).unwrap_or(&[]);
             let rights = rights.get(run.columns.clone()).unwrap_or(&[]);
