@@ -4,6 +4,7 @@ use super::dimension::Dimension;
 use super::expression::{Node, NodeId};
 use super::group::{Group, MAX_GROUPS, Member};
 use crate::error::Error;
+use crate::text::split_at_dot;
 use heapless::Vec;
 
 /// Most types in a domain.
@@ -324,7 +325,7 @@ impl<'t> Domain<'t> {
     /// Index of the point with this name, `owner` or `owner.part`; that of the
     /// first member if each member of a group has one.
     pub fn find_point(&self, name: &str) -> Option<u8> {
-        let (owner, part) = name.split_once('.').unwrap_or((name, ""));
+        let (owner, part) = split_at_dot(name).unwrap_or((name, ""));
         let found = |p: &Point<'_>| p.owner == owner && p.part == part;
         index_of(self.points.iter().position(found))
     }
@@ -342,7 +343,7 @@ impl<'t> Domain<'t> {
     /// Index in an instance of the attribute `object.attribute`; that of the first
     /// member if it is a group.
     pub fn find_slot(&self, name: &str) -> Option<u8> {
-        let (owner, attribute) = name.split_once('.')?;
+        let (owner, attribute) = split_at_dot(name)?;
         let found = self
             .slots()
             .position(|(o, a)| o.name == owner && a.name == attribute);

@@ -3,7 +3,7 @@
 use super::{Coordinate, MAX_DEPTH, Metric, Node, NodeId, intern, product_dimension};
 use crate::domain::{Dimension, Domain, Extreme, Relation};
 use crate::error::Error;
-use crate::text::{Lexer, Token};
+use crate::text::{Lexer, Token, split_at_last_dot};
 use heapless::VecView;
 
 pub(in crate::domain) struct ExpressionParser<'d, 't, 'n> {
@@ -193,7 +193,7 @@ impl ExpressionParser<'_, '_, '_> {
             return leaf.or(Some(Node::Number(core::f64::consts::PI)));
         }
         leaf.or_else(|| {
-            let (point, coordinate) = name.rsplit_once('.')?;
+            let (point, coordinate) = split_at_last_dot(name)?;
             let coordinate = match coordinate {
                 "x" => Coordinate::X,
                 "y" => Coordinate::Y,

@@ -9,6 +9,7 @@ use crate::domain::{Domain, Node, NodeId, Relation, copy, intern};
 use crate::error::Error;
 use crate::grammar::{Comparison, Formula, Inequality, MAX_COMPLEXITY, MAX_CONSTRAINTS};
 use crate::real::Real;
+use crate::text::split_at_dot;
 use heapless::{Vec, VecView};
 
 /// How close the ends of a bound must be for its name to count, as a share of what
@@ -151,7 +152,7 @@ fn clearance_of<R: Real>(
     let (left, _) = forms.terms(&bound.side);
     let dimension = domain.dimension(forms.features().nodes(), left)?;
     clearance(domain, dimension, named.name.value, |constant| {
-        let owner = constant.name.split('.').next();
+        let owner = split_at_dot(constant.name).map(|(owner, _)| owner);
         let owners = points.iter().filter_map(|p| domain.object_of(*p));
         owners.into_iter().any(|object| Some(object) == owner)
     })

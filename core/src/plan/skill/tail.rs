@@ -4,6 +4,7 @@ use super::Skill;
 use crate::domain::MAX_STATE_VALUES;
 use crate::error::Error;
 use crate::region::{Intersection, Part, Region, Theta};
+use crate::table::gather;
 use heapless::Vec;
 use rand_core::Rng;
 
@@ -51,7 +52,7 @@ impl<'s> Tail<'s> {
         })
     }
 
-    pub(super) fn parts(&self) -> impl Iterator<Item = Part<'_>> {
+    pub(super) fn parts(&self) -> impl Iterator<Item = Part<'_>> + Clone {
         let starts = core::iter::once(0).chain(self.skills.iter().map(|(_, end, _)| *end));
         let skills = self.skills.iter().zip(starts);
         skills.filter_map(|((skill, end, _), start)| {
@@ -108,8 +109,11 @@ impl<'s> Tail<'s> {
 type Parts<'p> = Vec<Part<'p>, MAX_PARTS>;
 
 /// Regions of states, which hold or do not, and those of parameters.
-fn split<'p>(parts: impl Iterator<Item = Part<'p>>) -> (Parts<'p>, Parts<'p>) {
-    parts.partition(|part| part.domain.parameters().is_empty())
+fn split<'p>(parts: impl Iterator<Item = Part<'p>> + Clone) -> (Parts<'p>, Parts<'p>) {
+    let is_state = |part: &Part<'_>| part.domain.parameters().is_empty();
+    let states = parts.clone().filter(is_state);
+    let others = parts.filter(|part| !is_state(part));
+    (gather(states), gather(others))
 }
 
 fn any_is_empty(states: &[Part<'_>]) -> Result<bool, Error> {
@@ -122,7 +126,7 @@ fn any_is_empty(states: &[Part<'_>]) -> Result<bool, Error> {
     Ok(false)
 }
 
-fn are_apart<'p>(parts: impl Iterator<Item = Part<'p>>) -> Result<bool, Error> {
+fn are_apart<'p>(parts: impl Iterator<Item = Part<'p>> + Clone) -> Result<bool, Error> {
     let (states, parts) = split(parts);
     if any_is_empty(&states)? {
         return Ok(true);
