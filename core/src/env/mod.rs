@@ -3,4 +3,5 @@
 //! Each implements [`crate::domain::Environment`]; nothing else in the library
 //! knows of any of them.
 
+pub mod shelf;
 pub mod stick_button;
