@@ -246,6 +246,7 @@ impl<'t> DomainParser<'t> {
                 Node::Coordinate(..)
                     | Node::Distance(..)
                     | Node::Angle(..)
+                    | Node::VertexAngle(..)
                     | Node::Area(_)
                     | Node::Extreme(..)
             )

@@ -14,11 +14,13 @@ static DESCRIPTIONS: [Description; 2] = [
     Description {
         own: PICK,
         later: None,
+        among: &[],
         text: text!("skills/pick.txt"),
     },
     Description {
         own: PLACE,
         later: None,
+        among: &[],
         text: text!("skills/place.txt"),
     },
 ];
