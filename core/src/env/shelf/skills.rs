@@ -10,7 +10,7 @@ macro_rules! text {
     };
 }
 
-static DESCRIPTIONS: [Description; 2] = [
+static DESCRIPTIONS: [Description; 3] = [
     Description {
         own: PICK,
         later: None,
@@ -22,6 +22,12 @@ static DESCRIPTIONS: [Description; 2] = [
         later: None,
         among: &[],
         text: text!("skills/place.txt"),
+    },
+    Description {
+        own: PICK,
+        later: Some(PLACE),
+        among: &[],
+        text: text!("skills/pick_place.txt"),
     },
 ];
 

@@ -17,7 +17,7 @@ pub const BOX_YAW: f64 = 0.35;
 /// The lowest and the highest box.
 pub const BOX_HEIGHTS: [f64; 2] = [0.08, 0.16];
 /// The least and the greatest x, y and z of the shelf.
-pub const SHELF_PLACES: [[f64; 2]; 3] = [[1.0, 1.2], [-0.2, 0.2], [0.35, 0.55]];
+pub const SHELF_PLACES: [[f64; 2]; 3] = [[1.0, 1.2], [-0.2, 0.2], [0.43, 0.55]];
 /// The narrowest and the widest shelf.
 pub const SHELF_WIDTHS: [f64; 2] = [0.3, 0.6];
 /// Where the hand is first: its x, y, z, yaw and pitch.
