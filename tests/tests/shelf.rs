@@ -168,6 +168,27 @@ fn every_inequality_decides_somewhere() {
     }
 }
 
+#[test]
+fn boxes_taller_than_those_of_tasks_collide_themselves() {
+    let mut world = World::of(&tasks(3, 1)[0].initial).unwrap();
+    let (height, yaw) = (0.3, world.item[3] as f32);
+    (world.item[2], world.item[4]) = (0.5 * height, height);
+    let try_with = |clearance: f64, pitch: f32| {
+        let mut world = world;
+        world.shelf[2] = SHELF_TOP - clearance;
+        let picked = pick(&world.to_state().unwrap(), [pitch, yaw]);
+        let placed = place(&picked.state, [0.15, 0.0]);
+        [picked.is_feasible(), placed.is_feasible()]
+    };
+    assert_eq!(try_with(0.6, 1.5), [false, false], "the hand in the box");
+    assert_eq!(try_with(0.31, 0.1), [true, true]);
+    assert_eq!(
+        try_with(0.29, 0.1),
+        [true, false],
+        "the box in the board above"
+    );
+}
+
 /// The pitches between which Pick then Place works at the best place, in steps.
 fn pitches(world: &World) -> Vec<f64> {
     let yaw = world.item[3] as f32;
@@ -432,48 +453,60 @@ fn the_descriptions_can_say_the_feasible_sets_and_then_every_sample_works() {
     }
 }
 
-#[test]
-fn the_skills_are_learned_from_a_dozen_tasks() {
+/// Learns all skills from so many tasks.
+fn learned<'m>(room: &'m mut SkillRoom, seed: u64, instances: usize) -> Skills<'m> {
     let training = Training {
-        instances: 12,
+        instances,
+        states: instances,
         chained: 100,
         learner: LearnerConfig {
             calls: 200,
             slack: 0.0,
             ..LearnerConfig::default()
         },
-        ..Training::default()
     };
-    let mut training_room = TrainingRoom::new(&training);
-    let mut skill_room = SkillRoom::new(&Shelf);
-    let mut skills = skill_room.lend(&Shelf);
-    let tasks_of_training = tasks(1001, 60);
-    let learned = learn_from(
-        &Shelf,
-        &mut skills,
-        &tasks_of_training,
-        1,
-        &training,
-        &mut training_room,
-    );
+    let mut skills = room.lend(&Shelf);
+    let (tasks, mut room) = (tasks(seed + 1000, 60), TrainingRoom::new(&training));
+    let learned = learn_from(&Shelf, &mut skills, &tasks, seed, &training, &mut room);
     for learned in learned.unwrap() {
+        let within = learned.instances <= instances && learned.calls <= 250;
+        assert!(learned.region && within, "{learned:?}");
+    }
+    skills
+}
+
+#[test]
+fn the_skills_are_learned_from_a_dozen_tasks() {
+    // Whether the hand is below the board does not depend on where it places the box: of
+    // a dozen held boxes each is one observation of that, and now and then the pitch or
+    // the height alone explains all of them.
+    let seeds = 0..6;
+    let all_right = seeds.filter(|seed| {
+        let mut room = SkillRoom::new(&Shelf);
+        let [pick, place, later] = agreement(&learned(&mut room, *seed, 12), 10);
+        assert!(pick > 0.99, "seed {seed}: {pick}");
+        place > 0.98 && later > 0.99
+    });
+    assert!(all_right.count() >= 4);
+}
+
+#[test]
+fn with_twice_as_many_tasks_nearly_every_sample_works() {
+    for seed in 0..3 {
+        let mut skill_room = SkillRoom::new(&Shelf);
+        let skills = learned(&mut skill_room, seed, 24);
+        let shares = agreement(&skills, 10);
+        assert!(shares.iter().all(|share| *share > 0.98), "{shares:?}");
+        let (mut room, mut samples) = (Room::new(1000), 0);
+        for task in tasks(seed + 10, 50) {
+            let grounding = Grounding::new(&Shelf, &task).unwrap();
+            let (conclusion, metrics) = planned(&task, &skills, &grounding, &mut room);
+            assert_eq!(conclusion, Conclusion::Solved);
+            samples += metrics.samples;
+        }
         assert!(
-            learned.region && learned.instances <= 12 && learned.calls <= 250,
-            "{learned:?}"
+            samples <= 105,
+            "{samples} samples for 50 plans of two steps"
         );
     }
-    let shares = agreement(&skills, 10);
-    assert!(shares.iter().all(|share| *share > 0.99), "{shares:?}");
-    let mut room = Room::new(1000);
-    let mut samples = 0;
-    for task in tasks(10, 50) {
-        let grounding = Grounding::new(&Shelf, &task).unwrap();
-        let (conclusion, metrics) = planned(&task, &skills, &grounding, &mut room);
-        assert_eq!(conclusion, Conclusion::Solved);
-        samples += metrics.samples;
-    }
-    assert!(
-        samples <= 105,
-        "{samples} samples for 50 plans of two steps"
-    );
 }

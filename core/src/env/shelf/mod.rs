@@ -92,8 +92,8 @@
 //! [`Shelf::task`] draws every number uniformly: x and y of the box within
 //! [`BOX_RANGE`] of zero, its yaw within [`BOX_YAW`] of zero, its height in
 //! [`BOX_HEIGHTS`]; x, y and z of the shelf in [`SHELF_PLACES`], its width in
-//! [`SHELF_WIDTHS`]. The hand is in [`REST_POSE`]. The
-//! goal is that the box is in the shelf. Every such task has a plan of two steps.
+//! [`SHELF_WIDTHS`]. The hand is in [`REST_POSE`]. The goal is that the box is in the
+//! shelf. Every such task has a plan of two steps.
 //!
 //! # Which parameters work
 //!
@@ -107,10 +107,15 @@
 //! | `Place`, with the pitch of the hand | `abs(y) <= width/2 - w/2` and `BOX_DEPTH/2 <= x <= SHELF_DEPTH - BOX_DEPTH/2` and `shelf.z + h/2 + l sin(pitch) + t cos(pitch) <= SHELF_TOP` |
 //!
 //! In words: the heel of the hand is above the table, its sides keep off the walls, and
-//! its far end stays below the board above. [`SWIVEL`] is
-//! where the extent of the box between the fingers reaches [`OPENING`]. The feasible set
-//! of the chain is what satisfies both: a pitch that is steep enough for the table and
-//! shallow enough for the board, if there is a board as low as that.
+//! its far end stays below the board above. [`SWIVEL`] is where the extent of the box
+//! between the fingers reaches [`OPENING`]. The feasible set of the chain is what
+//! satisfies both: a pitch that is steep enough for the table and shallow enough for the
+//! board above, which is another range in each task.
+//!
+//! As the shelf stands along the axes of the world, each of these gaps is a coordinate, a
+//! distance or a parameter of the texts in [`Describe`](crate::plan::skill::Describe): the
+//! heel is `hand.heel`, the far end `hand.end`, points of the hand that turn with the
+//! pitch.
 //!
 //! ```
 //! use critreg::domain::{Environment, try_operator};
