@@ -6,4 +6,5 @@
 pub mod blocks;
 pub mod cluttered_table;
 pub mod cover;
+pub mod shelf;
 pub mod stick_button;
