@@ -456,6 +456,7 @@ fn the_descriptions_can_say_the_feasible_sets_and_then_every_sample_works() {
 /// Learns all skills from so many tasks.
 fn learned<'m>(room: &'m mut SkillRoom, seed: u64, instances: usize) -> Skills<'m> {
     let training = Training {
+        tasks: instances,
         instances,
         states: instances,
         chained: 100,
