@@ -27,14 +27,14 @@ pub const NAMES: [&str; 1] = ["cover"];
 fn training() -> Training {
     Training {
         learner: critreg::learn::version_space::Config {
-            calls: 100,
+            calls: 110,
             slack: 0.0,
             ..Default::default()
         },
-        chained: 60,
+        chained: 70,
         tasks: 12,
-        instances: 24,
-        states: 24,
+        instances: 30,
+        states: 36,
     }
 }
 

@@ -93,23 +93,22 @@ fn left_side<R: Real>(
     }
 }
 
-/// Whether a bound may say no more than which of two features is greater.
-fn is_comparison<R: Real>(forms: &Forms<'_, R>, bound: &Bound<R>) -> bool {
-    let (_, right) = forms.terms(&bound.side);
+/// Whether the threshold of a bound may be zero: then it says no more than which of two
+/// features is greater, or the sign of one.
+fn is_sign<R: Real>(bound: &Bound<R>) -> bool {
     let rounding = tolerance(bound.inner);
-    right.is_some() && bound.inner <= rounding && rounding < bound.outer
+    bound.inner <= rounding && rounding < bound.outer
 }
 
-/// The threshold of a bound: nothing if that fits between its ends and compares two
-/// features, a named one if only one simplest name fits, else inside of the gap; and a
-/// name that fits.
+/// The threshold of a bound: zero if that fits between its ends, a named one if only one
+/// simplest name fits, else inside of the gap; and a name that fits.
 fn threshold<R: Real>(
     domain: &Domain<'_>,
     forms: &Forms<'_, R>,
     bound: &Bound<R>,
 ) -> (f64, Option<Named>) {
     let outward = |value: R| bound.side.outward(value).to_f64();
-    if is_comparison(forms, bound) {
+    if is_sign(bound) {
         return (outward(bound.inner.max(R::ZERO)), None);
     }
     match name(domain, forms, bound) {
@@ -182,7 +181,7 @@ pub(super) fn details<R: Real>(
     let details = chosen.bounds().map(|bound| {
         let close = bound.range * R::from_f64(CLOSE);
         let unnamed = 3 + MAX_COMPLEXITY;
-        if is_comparison(forms, bound) {
+        if is_sign(bound) {
             // There is no threshold to describe.
             return 1.0 - forms.bits_of_threshold();
         }

@@ -4,10 +4,11 @@ use super::selection::{spread, swap_rows};
 use super::training::TrainingMemory;
 use super::{Describe, Informed, Scope, Skill, Skills};
 use crate::domain::{
-    Arguments, AtomSet, Atoms, ControllerId, GroundOperator, PredicateId, State, Task,
+    Arguments, AtomSet, Atoms, ControllerId, GroundOperator, ObjectId, PredicateId, State, Task,
     ground_operators,
 };
 use crate::error::Error;
+use crate::learn::Answer;
 use crate::plan::{AbstractTask, Conclusion, Config, Planner, Simulated};
 use crate::random::generator;
 use heapless::Vec;
@@ -24,6 +25,8 @@ pub struct Setting {
     pub state: State,
     /// The operator, and then those up to the later one, if there is one.
     pub steps: Vec<GroundOperator, MAX_CHAIN>,
+    /// What came of trying it, where that is tried once.
+    pub(super) answer: Option<Answer>,
 }
 
 impl Setting {
@@ -59,7 +62,8 @@ pub struct Candidate {
     pub(super) later: Arguments,
 }
 
-/// A task with its operators.
+/// A task with those operators that handle no objects but a candidate's: what happens to
+/// others on the way would be a reason of its own why something fails.
 struct Grounded<'t, 'o, E> {
     environment: &'t E,
     skills: &'t Skills<'t>,
@@ -87,7 +91,8 @@ impl Skills<'_> {
     ///
     /// Where an operator is not applicable in the initial state it is planned for, with
     /// the skills learned so far (the thesis's single-operator task plans); and if there
-    /// are not enough settings yet, again with other parameters on the way.
+    /// are not enough settings yet, again with other parameters on the way. Settings that
+    /// need not differ are those that take no way, if there are enough.
     pub(super) fn collect<E: Describe>(
         &self,
         skill: &Skill,
@@ -115,10 +120,12 @@ impl Skills<'_> {
                 };
                 let planner = memory.planner.reborrow();
                 let seed = (round << 16 | index as u64) << 32;
-                let grounded = Grounded::new(environment, self, task, memory.operators, seed)?;
+                let grounded =
+                    Grounded::new(environment, self, task, memory.operators, &candidate, seed)?;
+                let planner = (wanted.differing || round > 0).then_some(planner);
                 let (setting, runs) = grounded.realise(skill, &candidate, planner)?;
                 calls += runs;
-                // What needs nothing on the way would be the same again.
+                // What takes no way would be the same again.
                 let setting = setting.filter(|_| round == 0 || runs > 0);
                 if let (Some(setting), Some(place)) = (setting, memory.settings.get_mut(count)) {
                     *place = Some(setting);
@@ -265,6 +272,11 @@ fn controller_objects<E: Describe>(
 }
 
 impl Candidate {
+    /// Whether an object is one of those it is about.
+    fn has(&self, object: ObjectId) -> bool {
+        self.own.as_slice().contains(&object) || self.later.as_slice().contains(&object)
+    }
+
     /// Who fills the roles of a skill in a state.
     pub(super) fn scope<'s, E>(
         &'s self,
@@ -288,11 +300,16 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
         skills: &'t Skills<'t>,
         task: &'t Task,
         operators: &'o mut heapless::VecView<GroundOperator>,
+        candidate: &Candidate,
         seed: u64,
     ) -> Result<Self, Error> {
         let atoms = Atoms::new(environment, &task.initial)?;
         operators.clear();
         ground_operators(environment.operators(), &task.initial, &atoms, operators)?;
+        operators.retain(|ground| {
+            let own = controller_objects(environment, ground);
+            own.is_ok_and(|own| own.as_slice().iter().all(|object| candidate.has(*object)))
+        });
         Ok(Grounded {
             environment,
             skills,
@@ -304,12 +321,12 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
     }
 
     /// The setting of a candidate, if there is a way to it, and how many controllers
-    /// were run to find it.
+    /// were run to find it. Without a planner there is no way.
     fn realise(
         &self,
         skill: &Skill,
         candidate: &Candidate,
-        planner: crate::plan::Memory<'_, State>,
+        planner: Option<crate::plan::Memory<'_, State>>,
     ) -> Result<(Option<Setting>, u32), Error> {
         let own = || self.of(skill.description.own, &candidate.own);
         let (state, calls) = self.reach(own, planner)?;
@@ -323,7 +340,14 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
             None => Vec::from_slice(&[*own]).ok(),
         });
         let steps = chains.min_by_key(|steps| steps.len());
-        Ok((steps.map(|steps| Setting { state, steps }), calls))
+        Ok((
+            steps.map(|steps| Setting {
+                state,
+                steps,
+                answer: None,
+            }),
+            calls,
+        ))
     }
 
     /// The ground operators of a controller with these objects.
@@ -342,12 +366,15 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
     fn reach<I: Iterator<Item = &'o GroundOperator>>(
         &self,
         own: impl Fn() -> I,
-        mut memory: crate::plan::Memory<'_, State>,
+        memory: Option<crate::plan::Memory<'_, State>>,
     ) -> Result<(Option<State>, u32), Error> {
         let initial = self.atoms.abstract_state(self.environment, self.initial);
         if own().any(|ground| ground.is_applicable(initial)) {
             return Ok((Some(self.initial.clone()), 0));
         }
+        let Some(mut memory) = memory else {
+            return Ok((None, 0));
+        };
         let mut calls = 0;
         for ground in own() {
             let world = Simulated {

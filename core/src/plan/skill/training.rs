@@ -1,12 +1,13 @@
 //! Learning the region of a skill.
 
+use super::selection::swap_rows;
 use super::settings::{Wanted, survey};
 use super::{Candidate, Describe, Setting, Skill, Skills};
 use crate::domain::{Domain, GroundOperator, State, Task};
 use crate::error::Error;
 use crate::learn::version_space::{Capacity, Config, Memory, VersionSpace};
-use crate::learn::{Learner, Problem, learn_region};
-use crate::random::generator;
+use crate::learn::{Answer, Learner, Problem, learn_region};
+use crate::random::{Generator, generator};
 use crate::region::{Region, Theta};
 use heapless::VecView;
 
@@ -128,7 +129,14 @@ impl Skills<'_> {
             settings: settings.min(memory.capacity.instances),
             differing: sampled,
         };
-        let (count, tasks, calls) = self.collect(skill, environment, tasks, wanted, &mut memory)?;
+        let (mut count, tasks, mut calls) =
+            self.collect(skill, environment, tasks, wanted, &mut memory)?;
+        let mut rng = generator(training.learner.seed ^ index as u64);
+        if !sampled {
+            let settings = memory.settings.get_mut(..count).unwrap_or_default();
+            let (kept, runs) = self.try_once(environment, settings, later.is_some(), &mut rng)?;
+            (count, calls) = (kept, calls + runs);
+        }
         let mut learned = Learned {
             region: false,
             tasks,
@@ -138,12 +146,12 @@ impl Skills<'_> {
         if count == 0 {
             return Ok(learned);
         }
+        let skill = self.get(index).ok_or(NO_SKILL)?;
         survey(skill, environment, count, &mut memory)?;
         let numbers = count * skill.binding.len();
         let settings = memory.settings.get(..count).unwrap_or_default();
         let proposals = memory.proposals.get(..count).unwrap_or_default();
         let instances = memory.instances.get(..numbers).unwrap_or_default();
-        let mut rng = generator(training.learner.seed ^ index as u64);
         let problem = Problem::new(&domain, instances, count)?.with_proposals(proposals)?;
         let steps = 1 + usize::from(later.is_some());
         let config = Config {
@@ -161,8 +169,10 @@ impl Skills<'_> {
         let outcome = learn_region(&mut learner, &problem, |_, query| {
             let setting = settings.get(query.instance).and_then(Option::as_ref);
             let setting = setting.ok_or(Error::InvalidArgument("no such instance"))?;
+            if let Some(answer) = setting.answer {
+                return Ok(answer);
+            }
             let theta = query.theta.get(..domain.parameters().len());
-            let theta = theta.filter(|_| sampled);
             let (answer, runs) = self.attempt(environment, setting, theta, &mut rng)?;
             learned.calls += runs;
             Ok::<_, Error>(answer)
@@ -175,6 +185,34 @@ impl Skills<'_> {
         learned.region = region.is_some();
         self.get_mut(index).ok_or(NO_SKILL)?.set_region(region);
         Ok(learned)
+    }
+
+    /// Tries settings without parameters, and leaves out those of two controllers of
+    /// which already the first one fails: they say nothing. Returns how many are left and
+    /// how many controllers were run.
+    fn try_once<E: Describe>(
+        &mut self,
+        environment: &E,
+        settings: &mut [Option<Setting>],
+        chained: bool,
+        rng: &mut Generator,
+    ) -> Result<(usize, u32), Error> {
+        let (mut kept, mut calls) = (0, 0);
+        for index in 0..settings.len() {
+            let Some(Some(setting)) = settings.get_mut(index) else {
+                break;
+            };
+            let (answer, runs) = self.attempt(environment, setting, None, rng)?;
+            setting.answer = Some(answer);
+            calls += runs;
+            if !(chained && answer == Answer::FailedStep(1)) {
+                if kept < index {
+                    swap_rows(settings, 1, kept, index);
+                }
+                kept += 1;
+            }
+        }
+        Ok((kept, calls))
     }
 }
 

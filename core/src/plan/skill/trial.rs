@@ -10,7 +10,7 @@ use crate::region::Theta;
 
 /// How often operators whose parameters are free are tried before they count as
 /// impossible.
-const TRIES: u32 = 3;
+const TRIES: u32 = 2;
 
 /// What came of an operator.
 #[derive(Clone, Copy, PartialEq, Eq)]
