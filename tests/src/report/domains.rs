@@ -5,8 +5,12 @@ use super::row::Row;
 use crate::golden::{self, Recording};
 use crate::plan::Room;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn_from};
+use critreg::Error;
 use critreg::domain::{Environment, Task};
+use critreg::env::blocks::Blocks;
+use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
 use critreg::env::cover::Cover;
+use critreg::env::shelf::Shelf;
 use critreg::plan::skill::{Describe, Learned, Skill, Skills, Training};
 use critreg::random::{Generator, generator};
 
@@ -20,21 +24,27 @@ const NODES: usize = 20_000;
 const FIRST_SEED: u64 = 1000;
 
 /// The names of the environments.
-pub const NAMES: [&str; 1] = ["cover"];
+pub const NAMES: [&str; 5] = [
+    "cover",
+    "cluttered_table",
+    "cluttered_table_place",
+    "blocks",
+    "shelf",
+];
 
 /// How much is tried: at most a dozen instances, and so many questions that the controllers
 /// run for one operator are at most 250.
 fn training() -> Training {
     Training {
         learner: critreg::learn::version_space::Config {
-            calls: 110,
+            calls: 100,
             slack: 0.0,
             ..Default::default()
         },
-        chained: 70,
+        chained: 60,
         tasks: 12,
         instances: 30,
-        states: 36,
+        states: 30,
     }
 }
 
@@ -44,9 +54,30 @@ pub fn print(names: &[&str], seeds: u64) {
     for name in names {
         match *name {
             "cover" => {
-                let task = |index, rng: &mut Generator| Cover.task(index, rng);
-                let task = |index, rng: &mut Generator| task(index, rng).expect("there is room");
+                let task = |index, rng: &mut _| Cover.task(index, rng);
                 recorded(name, &Cover, &golden::COVER, task, seeds);
+            }
+            "cluttered_table" => {
+                let task = |_, rng: &mut _| ClutteredTable.task(5, rng);
+                recorded(name, &ClutteredTable, &golden::CLUTTERED_TABLE, task, seeds);
+            }
+            "cluttered_table_place" => {
+                let (environment, recording) =
+                    (ClutteredTablePlace, &golden::CLUTTERED_TABLE_PLACE);
+                let task = |_, rng: &mut _| environment.task(rng);
+                recorded(name, &environment, recording, task, seeds);
+            }
+            "blocks" => {
+                let task = |_, rng: &mut _| Blocks.task(3..=4, rng);
+                recorded(name, &Blocks, &golden::BLOCKS, task, seeds);
+            }
+            "shelf" => {
+                let task = |_, rng: &mut _| Shelf.task(rng);
+                let mut rng = generator(0x7E57_0000_0000);
+                let tests = (0..2 * TASKS).map(|index| task(index, &mut rng));
+                let tests: Vec<Task> = tests.map(|task| task.expect("there is room")).collect();
+                println!("environment: {name}");
+                evaluate(name, &Shelf, task, &tests, seeds);
             }
             _ => unreachable!("not an environment"),
         }
@@ -57,7 +88,7 @@ fn recorded<E: Describe>(
     name: &str,
     environment: &E,
     recording: &Recording,
-    task: impl Fn(usize, &mut Generator) -> Task,
+    task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
     seeds: u64,
 ) {
     let tests = recording.tasks(environment).into_iter();
@@ -75,7 +106,7 @@ fn recorded<E: Describe>(
 fn evaluate<E: Describe>(
     name: &str,
     environment: &E,
-    task: impl Fn(usize, &mut Generator) -> Task,
+    task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
     tests: &[Task],
     seeds: u64,
 ) {
@@ -86,7 +117,9 @@ fn evaluate<E: Describe>(
     for seed in FIRST_SEED..FIRST_SEED + seeds {
         let mut skills = skill_room.lend(environment);
         let mut rng = generator(seed ^ 0x7EA1_0000_0000);
-        let tasks: Vec<Task> = (0..TRAINING).map(|index| task(index, &mut rng)).collect();
+        let tasks: Vec<Task> = (0..TRAINING)
+            .flat_map(|index| task(index, &mut rng))
+            .collect();
         let learned = learn_from(
             environment,
             &mut skills,

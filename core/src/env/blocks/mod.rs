@@ -46,6 +46,7 @@ mod controllers;
 mod operators;
 mod predicates;
 mod simulate;
+mod skills;
 mod tasks;
 mod world;
 

@@ -55,6 +55,7 @@ mod operators;
 mod predicates;
 mod sample;
 mod simulate;
+mod skills;
 mod tasks;
 
 pub use controllers::{DUMP, GRASP, PLACE};
