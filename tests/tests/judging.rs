@@ -229,7 +229,45 @@ fn what_is_placed_anywhere_is_not_expected_anywhere() {
     assert_eq!(counts, [0, 20, 20, 40]);
 }
 
+#[test]
+fn what_is_always_the_same_afterwards_is_told_again() {
+    let mut skill_room = SkillRoom::new(&Cover);
+    let mut skills = skill_room.lend(&Cover);
+    let tasks = recorded(&COVER, &Cover, "train");
+    observe(&Cover, &mut skills, &tasks, 10);
+    // Only what is held is placed. Where it is held varies, where it is not is one number.
+    know(&mut skills, 1, "block.grasp >= -0.5");
+    let [block, other] = BLOCKS;
+    let (place, pick) = (&[block, TARGETS[0]][..], &[block][..]);
+    let (mut held, mut lying) = (0, 0);
+    for task in &tasks {
+        let judged = |steps: &[&[ObjectId]]| judged(task, &skills, steps);
+        assert!(judged(&[pick, place]), "it is not known where it is held");
+        assert!(!judged(&[pick, place, place]));
+        assert!(judged(&[pick, place, pick, place]));
+        assert!(judged(&[pick, place, &[other], pick, place]));
+        let holds = Block::read(&task.initial, block).unwrap().is_held();
+        assert_eq!(judged(&[place]), holds);
+        assert_eq!(judged(&[&[other], place]), holds, "another block is picked");
+        (held, lying) = (held + u32::from(holds), lying + u32::from(!holds));
+    }
+    assert!(held > 10 && lying > 10, "{held} {lying}");
+}
+
 // How long parameters count
+
+/// What the guide says of operators of Cover, each by its objects.
+fn judged(task: &Task, skills: &Skills<'_>, steps: &[&[ObjectId]]) -> bool {
+    let grounding = Grounding::new(&Cover, task).unwrap();
+    let place = |objects: &&[ObjectId]| {
+        let mut all = grounding.operators.iter();
+        all.position(|ground| ground.objects.as_slice() == *objects)
+            .unwrap() as u16
+    };
+    let places: Vec<u16> = steps.iter().map(place).collect();
+    let informed = Informed::new(&Cover, skills, &task.initial);
+    is_kept(&informed, &grounding.operators, &places)
+}
 
 /// Whether operators work one after the other, with parameters that `choose` makes.
 fn works(
@@ -308,18 +346,7 @@ fn the_same_target_again_with_and_without_the_block_in_between() {
         3,
         "dist(target.centre, later_target.centre) >= 0.04",
     );
-    let task = &tasks[0];
-    let grounding = Grounding::new(&Cover, task).unwrap();
-    let informed = Informed::new(&Cover, &skills, &task.initial);
-    let judged = |steps: &[&[ObjectId]]| {
-        let place = |objects: &&[ObjectId]| {
-            let mut all = grounding.operators.iter();
-            all.position(|ground| ground.objects.as_slice() == *objects)
-                .unwrap() as u16
-        };
-        let places: Vec<u16> = steps.iter().map(place).collect();
-        is_kept(&informed, &grounding.operators, &places)
-    };
+    let judged = |steps: &[&[ObjectId]]| judged(&tasks[0], &skills, steps);
     let ([b0, b1], [t0, t1]) = (BLOCKS, TARGETS);
     assert!(!judged(&[&[b0, t1], &[b1], &[b1, t1]]));
     assert!(judged(&[&[b0, t1], &[b1], &[b1, t0]]));
