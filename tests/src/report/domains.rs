@@ -9,7 +9,7 @@ use critreg::Error;
 use critreg::domain::{Environment, Task};
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
-use critreg::env::cover::Cover;
+use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
 use critreg::plan::skill::{Describe, Learned, Skill, Skills, Training};
 use critreg::random::{Generator, generator};
@@ -19,13 +19,15 @@ const TASKS: usize = 30;
 /// Training tasks to choose instances from.
 const TRAINING: usize = 100;
 /// Nodes of the search.
-const NODES: usize = 20_000;
+const NODES: usize = 200_000;
 /// Learning begins with this seed; those below were used while the defaults were chosen.
 const FIRST_SEED: u64 = 1000;
 
 /// The names of the environments.
-pub const NAMES: [&str; 5] = [
+pub const NAMES: [&str; 7] = [
     "cover",
+    "regional_bumpy_cover",
+    "cover_regrasp",
     "cluttered_table",
     "cluttered_table_place",
     "blocks",
@@ -44,7 +46,7 @@ fn training() -> Training {
         chained: 60,
         tasks: 12,
         instances: 30,
-        states: 30,
+        states: 26,
     }
 }
 
@@ -56,6 +58,15 @@ pub fn print(names: &[&str], seeds: u64) {
             "cover" => {
                 let task = |index, rng: &mut _| Cover.task(index, rng);
                 recorded(name, &Cover, &golden::COVER, task, seeds);
+            }
+            "regional_bumpy_cover" => {
+                let (environment, recording) = (RegionalBumpyCover, &golden::REGIONAL_BUMPY_COVER);
+                let task = |index, rng: &mut _| environment.task(index, rng);
+                recorded(name, &environment, recording, task, seeds);
+            }
+            "cover_regrasp" => {
+                let task = |index, rng: &mut _| CoverRegrasp.task(index, rng);
+                recorded(name, &CoverRegrasp, &golden::COVER_REGRASP, task, seeds);
             }
             "cluttered_table" => {
                 let task = |_, rng: &mut _| ClutteredTable.task(5, rng);
