@@ -68,7 +68,7 @@ fn learning_and_drawing() {
         instances: 4,
         steps: 1,
     };
-    let mut room = VersionSpaceRoom::new(capacity);
+    let mut room = VersionSpaceRoom::<f64>::new(capacity);
     let (mut bytes, mut words) = (vec![0; 8192], vec![0; 2048]);
     let (calls, drawn) = calls(|| -> Result<bool, critreg::Error> {
         let domain = Domain::parse(StickButton::PICK_DOMAIN)?;
