@@ -201,6 +201,6 @@ fn bound<R: Real>(side: Side, inner: R, outer: R) -> Bound<R> {
         inner,
         outer,
         range: R::ONE,
-        strain: 0.0,
+        strain: R::ZERO,
     }
 }

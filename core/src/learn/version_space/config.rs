@@ -4,7 +4,9 @@ use super::cover::{Cover, MAX_STEPS, MEMBERS};
 use super::forms::{MAX_LEFTS, MAX_WORDS, Sample, Span};
 use crate::domain::Node;
 use crate::error::Error;
+use crate::grammar::MAX_CONSTRAINTS;
 use crate::learn::Observation;
+use crate::region::Region;
 
 /// How much a learner has room for.
 ///
@@ -12,10 +14,12 @@ use crate::learn::Observation;
 /// |---|---|
 /// | `spans` | 16 per form tracked and step |
 /// | `bits` | 16 per form tracked and 64 observations |
-/// | `features`, `values`, `columns` | 26 per 8 forms, and 64 more |
+/// | `features`, `columns` | 18 per 8 forms, and 64 more |
 /// | `instances` | 1 per form and instance, and 512 per instance |
 /// | `rows` | [`Capacity::lefts`] times 8 per observation |
 /// | `covers` | 5120 per step |
+/// | `sets` | 16 per step and 64 observations |
+/// | `region`, `support` | about 4200 |
 /// | `samples`, `observations` | 4 and 56 per observation |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capacity {
@@ -74,9 +78,25 @@ impl Capacity {
         2 * self.tracked() * self.observations.div_ceil(64)
     }
 
-    /// Numbers that the left sides have at the samples.
+    /// Numbers that the left sides have at the samples; at first, those that all
+    /// features have in an instance.
     pub const fn rows(self) -> usize {
-        self.lefts() * self.observations
+        let rows = self.lefts() * self.observations;
+        if rows < self.features() {
+            self.features()
+        } else {
+            rows
+        }
+    }
+
+    /// Words of the sets of samples: at which a step worked, and at which it failed.
+    pub const fn sets(self) -> usize {
+        2 * self.steps * self.observations.div_ceil(64)
+    }
+
+    /// What supports the constraints of a region.
+    pub const fn support(self) -> usize {
+        MAX_CONSTRAINTS
     }
 
     /// Explanations: a committee for every step.
@@ -103,8 +123,6 @@ impl Capacity {
 pub struct Memory<'m, R> {
     /// [`Capacity::features`] terms.
     pub features: &'m mut [Node],
-    /// [`Capacity::features`] numbers.
-    pub values: &'m mut [R],
     /// [`Capacity::features`] indices.
     pub columns: &'m mut [u16],
     /// [`Capacity::instance_values`] numbers.
@@ -115,12 +133,18 @@ pub struct Memory<'m, R> {
     pub bits: &'m mut [u64],
     /// [`Capacity::rows`] numbers.
     pub rows: &'m mut [R],
+    /// [`Capacity::sets`] words.
+    pub sets: &'m mut [u64],
     /// [`Capacity::covers`] explanations.
     pub covers: &'m mut [Cover<R>],
     /// [`Capacity::observations`] entries.
     pub samples: &'m mut [Sample],
     /// [`Capacity::observations`] observations.
     pub observations: &'m mut [Observation],
+    /// [`Capacity::support`] entries.
+    pub support: &'m mut [Evidence],
+    /// Where the region is written.
+    pub region: &'m mut Region,
 }
 
 /// What decides the questions of a learner.
