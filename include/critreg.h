@@ -583,7 +583,8 @@
 #define CRITREG_MAX_STEPS 4
 
 /**
- * Most observations of CRITREG_VERSION_SPACE.
+ * Most observations of CRITREG_VERSION_SPACE; 256 in a library that was built without
+ * the feature many_observations.
  */
 #define CRITREG_MAX_OBSERVATIONS 2048
 

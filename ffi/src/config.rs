@@ -46,8 +46,11 @@ pub const CRITREG_DEFAULT_INSTANCES: u32 = 16;
 /// Most steps of a sequence of actions.
 pub const CRITREG_MAX_STEPS: u32 = 4;
 
-/// Most observations of CRITREG_VERSION_SPACE.
+/// Most observations of CRITREG_VERSION_SPACE; 256 in a library that was built without
+/// the feature many_observations.
 pub const CRITREG_MAX_OBSERVATIONS: u32 = 2048;
+
+const _: () = assert!(version_space::MAX_OBSERVATIONS <= CRITREG_MAX_OBSERVATIONS as usize);
 
 /// Fewest hypotheses that make a learner: the four comparisons of one pair.
 pub(crate) const FEWEST_HYPOTHESES: usize = 4;
@@ -208,9 +211,9 @@ impl critreg_config {
         if self.instances == 0 {
             return Err(Failure::invalid("a learner has at least one instance"));
         }
-        if observations > CRITREG_MAX_OBSERVATIONS {
+        if observations as usize > version_space::MAX_OBSERVATIONS {
             return Err(Failure::invalid(
-                "this learner has room for at most 2048 observations",
+                "this learner has room for at most 2048 observations, or 256 in a small build",
             ));
         }
         Ok(Capacity::VersionSpace(version_space::Capacity {

@@ -127,7 +127,7 @@ impl<R: Real> KindTables<R> {
                         samples: tables.samples.fill(memory, Default::default()),
                         observations: tables.observations.fill(memory, Default::default()),
                         support: tables.support.fill(memory, Default::default()),
-                        region: tables.region.put(memory, Region::default()),
+                        region: tables.region.put(memory, Region::default),
                     }
                 };
                 let learner = VersionSpace::new(domain, settings, tables.capacity, memory)?;

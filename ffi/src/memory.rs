@@ -107,15 +107,15 @@ impl<T> Part<T> {
         unsafe { self.fill_with(memory, || value.clone()) }
     }
 
-    /// Writes the only value of the part and lends it.
+    /// Makes the only value of the part where it lies, and lends it.
     ///
     /// # Safety
     /// As for [`Part::fill`].
-    pub(crate) unsafe fn put(&self, memory: *mut u8, value: T) -> &'static mut T {
+    pub(crate) unsafe fn put(&self, memory: *mut u8, value: impl FnOnce() -> T) -> &'static mut T {
         // SAFETY: by this function's contract; the place is aligned for the value.
         unsafe {
             let place = self.place(memory);
-            place.write(value);
+            place.write(value());
             &mut *place
         }
     }

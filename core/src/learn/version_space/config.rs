@@ -8,6 +8,9 @@ use crate::grammar::MAX_CONSTRAINTS;
 use crate::learn::Observation;
 use crate::region::Region;
 
+/// Most observations: 2048, or 256 without the feature `many_observations`.
+pub const MAX_OBSERVATIONS: usize = 64 * MAX_WORDS;
+
 /// How much a learner has room for.
 ///
 /// | table of [`Memory`] | bytes, numbers of 8 bytes |
@@ -29,7 +32,7 @@ pub struct Capacity {
     /// there are fewer. That of the others is computed from the samples whenever it is
     /// needed: what is learned is the same, for less memory and more time.
     pub tracked: usize,
-    /// Observations: answers that can be told, at most 2048.
+    /// Observations: answers that can be told, at most [`MAX_OBSERVATIONS`].
     pub observations: usize,
     /// Problem instances.
     pub instances: usize,
@@ -108,9 +111,9 @@ impl Capacity {
         if self.steps == 0 || self.steps > MAX_STEPS {
             return Err(Error::InvalidArgument("a learner has one to four steps"));
         }
-        if self.observations > 64 * MAX_WORDS {
+        if self.observations > MAX_OBSERVATIONS {
             return Err(Error::InvalidArgument(
-                "a learner has room for at most 2048 observations",
+                "a learner has room for at most 2048 observations, or 256 in a small build",
             ));
         }
         Ok(())

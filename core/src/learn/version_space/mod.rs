@@ -76,7 +76,7 @@ mod question;
 mod set;
 
 pub use certificate::Certificate;
-pub use config::{Capacity, Config, Evidence, Memory, Report};
+pub use config::{Capacity, Config, Evidence, MAX_OBSERVATIONS, Memory, Report};
 pub use cover::Cover;
 pub use forms::{Sample, Span};
 pub use membership::Membership;

@@ -33,7 +33,11 @@ use layout::{Block, Layout};
 /// Most left sides.
 pub(in crate::learn::version_space) const MAX_LEFTS: usize = 64;
 /// Most words of a set of samples.
-pub(in crate::learn::version_space) const MAX_WORDS: usize = 32;
+pub(in crate::learn::version_space) const MAX_WORDS: usize =
+    match cfg!(feature = "many_observations") {
+        true => 32,
+        false => 4,
+    };
 /// Kinds of right sides, simple ones first: nothing, attributes and coordinates,
 /// distances and angles, scaled ones.
 pub(in crate::learn::version_space) const LEVELS: usize = 4;
