@@ -67,6 +67,7 @@ fn learning_and_drawing() {
         observations: 128,
         instances: 4,
         steps: 1,
+        tracked: 4096,
     };
     let mut room = VersionSpaceRoom::<f64>::new(capacity);
     let (mut bytes, mut words) = (vec![0; 8192], vec![0; 2048]);
