@@ -68,8 +68,9 @@ fn learning_and_drawing() {
         observations: 128,
         instances: 4,
         steps: 1,
+        tracked: 4096,
     };
-    let mut room = VersionSpaceRoom::new(capacity);
+    let mut room = VersionSpaceRoom::<f64>::new(capacity);
     let (mut bytes, mut words) = (vec![0; 8192], vec![0; 2048]);
     let (calls, drawn) = calls(|| -> Result<bool, critreg::Error> {
         let domain = Domain::parse(StickButton::PICK_DOMAIN)?;
