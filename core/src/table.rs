@@ -7,13 +7,41 @@
 //! size only it knows, which `heapless` cannot express without unsafe code.
 
 use crate::error::Error;
+use heapless::{Vec, VecView};
 
 /// Brings the last item to a place, the items from there on moving up by one: an
 /// insertion after a push, without the panic of one out of bounds.
 pub(crate) fn move_last<T>(items: &mut [T], place: usize) {
-    if let Some(tail) = items.get_mut(place..) {
-        tail.rotate_right(1);
+    let behind = items.get_mut(place..);
+    if let Some((last, others)) = behind.and_then(<[T]>::split_last_mut) {
+        for other in others {
+            core::mem::swap(last, other);
+        }
     }
+}
+
+/// Takes the item at a place out, the items behind it moving down by one, without the
+/// panic of `Vec::remove` out of bounds.
+pub(crate) fn take_out<T>(items: &mut VecView<T>, place: usize) -> Option<T> {
+    let mut behind = items.get_mut(place..)?.iter_mut();
+    let mut hole = behind.next()?;
+    for next in behind {
+        core::mem::swap(hole, next);
+        hole = next;
+    }
+    items.pop()
+}
+
+/// Collects items, of which there are `N` at most, without the panic of `collect` if
+/// there were more.
+pub(crate) fn gather<T, const N: usize>(items: impl IntoIterator<Item = T>) -> Vec<T, N> {
+    let mut all = Vec::new();
+    for item in items {
+        if all.push(item).is_err() {
+            break;
+        }
+    }
+    all
 }
 
 /// A vector over a borrowed slice; pushing to a full one is an error.

@@ -88,6 +88,9 @@ pub mod stick_button_world;
 mod structs;
 mod text;
 
+#[cfg(all(feature = "halt", not(feature = "std"), not(test), panic = "unwind"))]
+compile_error!("there is nothing to unwind into: build with panic = \"abort\"");
+
 #[cfg(all(feature = "halt", not(feature = "std"), not(test)))]
 #[panic_handler]
 fn halt(_: &core::panic::PanicInfo<'_>) -> ! {

@@ -1,15 +1,14 @@
-/* All that a program of core needs around it: a start, and the memory functions
- * that any C library has. */
+/* All that a program needs around the library: a start, and the memory functions that
+ * any C library has. */
 #include <stddef.h>
-#include <stdint.h>
 
-int critreg_run(const uint8_t *text, size_t length, uint64_t seed);
+/* Everything that the library can do; made by link.sh. Linked, not run. */
+extern void (*const all[])(void);
 
-static const char domain[] = "parameter mu in [0, 1]";
+static const void *volatile used;
 
 void _start(void) {
-    volatile int result = critreg_run((const uint8_t *)domain, sizeof domain - 1, 3);
-    (void)result;
+    used = all;
     for (;;) {
     }
 }
@@ -46,4 +45,10 @@ int memcmp(const void *a, const void *b, size_t n) {
 
 int bcmp(const void *a, const void *b, size_t n) {
     return memcmp(a, b, n);
+}
+
+size_t strlen(const char *text) {
+    const char *end = text;
+    while (*end) end++;
+    return (size_t)(end - text);
 }

@@ -6,6 +6,7 @@ use super::controller::{Controller, Parameters};
 use super::operator::{Operator, OperatorId};
 use super::state::{ObjectId, ObjectType, State};
 use crate::random::uniform_in;
+use crate::table::gather;
 use rand_core::Rng;
 
 /// A simulated world with its symbolic description.
@@ -52,11 +53,10 @@ pub trait Environment: Sized + 'static {
         let operator = self.operators().get(usize::from(operator.0));
         let controller = operator.and_then(|o| self.controllers().get(usize::from(o.controller.0)));
         let space = controller.map_or(&[][..], |c| c.parameters);
-        space
+        let numbers = space
             .iter()
-            .map(|[low, high]| uniform_in(rng, *low, *high) as f32)
-            .take(super::MAX_PARAMETERS)
-            .collect()
+            .map(|[low, high]| uniform_in(rng, *low, *high) as f32);
+        gather(numbers.take(super::MAX_PARAMETERS))
     }
 }
 

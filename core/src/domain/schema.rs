@@ -4,6 +4,7 @@ use super::dimension::Dimension;
 use super::expression::{Node, NodeId};
 use super::group::{Group, MAX_GROUPS, Member};
 use crate::error::Error;
+use crate::text::split_at_dot;
 use heapless::Vec;
 
 /// Most types in a domain.
@@ -125,6 +126,15 @@ impl Point<'_> {
     /// from its base. Points that share a direction make no new angles.
     pub fn has_heading(&self) -> bool {
         self.is_object() || self.turn != [None; 3]
+    }
+}
+
+impl Domain<'_> {
+    /// Whether anything in the domain has a heading: an object's angle, or a turn.
+    pub fn has_headings(&self) -> bool {
+        let mut objects = self.objects.iter();
+        objects.any(|object| object.pose.angles != [None; 3])
+            || self.points.iter().any(|point| point.turn != [None; 3])
     }
 }
 
@@ -315,7 +325,7 @@ impl<'t> Domain<'t> {
     /// Index of the point with this name, `owner` or `owner.part`; that of the
     /// first member if each member of a group has one.
     pub fn find_point(&self, name: &str) -> Option<u8> {
-        let (owner, part) = name.split_once('.').unwrap_or((name, ""));
+        let (owner, part) = split_at_dot(name).unwrap_or((name, ""));
         let found = |p: &Point<'_>| p.owner == owner && p.part == part;
         index_of(self.points.iter().position(found))
     }
@@ -333,7 +343,7 @@ impl<'t> Domain<'t> {
     /// Index in an instance of the attribute `object.attribute`; that of the first
     /// member if it is a group.
     pub fn find_slot(&self, name: &str) -> Option<u8> {
-        let (owner, attribute) = name.split_once('.')?;
+        let (owner, attribute) = split_at_dot(name)?;
         let found = self
             .slots()
             .position(|(o, a)| o.name == owner && a.name == attribute);
@@ -346,13 +356,25 @@ impl<'t> Domain<'t> {
         index_of(self.shapes.iter().position(|(o, _)| *o == object))
     }
 
-    /// Whether a position in this domain has a z coordinate.
-    pub fn is_spatial(&self) -> bool {
-        self.points.iter().any(|p| {
-            let [_, _, z] = p.offset;
-            z.is_some()
-                || matches!(p.base, Base::Object(o) if self.pose_slots(o).position[2].is_some())
-        })
+    /// Along how many axes positions in this domain lie: one, two or three.
+    pub fn axes(&self) -> usize {
+        let depth = |used: [bool; 3]| {
+            used.iter()
+                .rposition(|used| *used)
+                .map_or(0, |axis| axis + 1)
+        };
+        let axes = self.points.iter().map(|point| {
+            let pose = match point.base {
+                Base::Object(object) => self.pose_slots(object).position,
+                _ => [None; 3],
+            };
+            let turned = if self.has_headings() { 2 } else { 1 };
+            let moved = depth(point.offset.map(|term| term.is_some()));
+            moved
+                .max(depth(pose.map(|slot| slot.is_some())))
+                .max(turned)
+        });
+        axes.max().unwrap_or(1)
     }
 
     /// The name of the object that a point is placed in, directly or not.

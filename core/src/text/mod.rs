@@ -1,5 +1,6 @@
 //! Reading and writing the library's one text form: domains, expressions, regions.
 
+mod big;
 mod lexer;
 mod number;
 
@@ -7,6 +8,21 @@ pub use lexer::{Lexer, Token};
 pub use number::{read_number, write_number};
 
 use core::fmt;
+
+/// Splits a name at its first dot. A search for a `char` by the standard library could
+/// panic, for all that a compiler knows.
+pub(crate) fn split_at_dot(name: &str) -> Option<(&str, &str)> {
+    split_around(name, name.bytes().position(|byte| byte == b'.')?)
+}
+
+/// Splits a name at its last dot.
+pub(crate) fn split_at_last_dot(name: &str) -> Option<(&str, &str)> {
+    split_around(name, name.bytes().rposition(|byte| byte == b'.')?)
+}
+
+fn split_around(name: &str, place: usize) -> Option<(&str, &str)> {
+    Some((name.get(..place)?, name.get(place.checked_add(1)?..)?))
+}
 
 /// A text of bounded length in borrowed bytes, for `core::fmt::Write`.
 ///

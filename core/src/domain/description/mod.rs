@@ -7,7 +7,7 @@ use super::dimension::Dimension;
 use super::expression::{Node, NodeId, copy};
 use super::schema::{Attribute, Constant, Domain, Parameter, Type};
 use crate::error::Error;
-use crate::text::Lexer;
+use crate::text::{Lexer, split_at_dot};
 use heapless::Vec;
 
 /// Checksum that tells domain texts and saved bytes apart.
@@ -270,6 +270,7 @@ impl<'t> DomainParser<'_, 't> {
                 Node::Coordinate(..)
                     | Node::Distance(..)
                     | Node::Angle(..)
+                    | Node::VertexAngle(..)
                     | Node::Area(_)
                     | Node::Extreme(..)
             )
@@ -304,8 +305,10 @@ impl<'t> DomainParser<'_, 't> {
         if KEYWORDS.contains(&name) {
             return Err(at.error("this is a word of the language"));
         }
-        let plain_parts = name.split('.').all(|part| !part.is_empty());
-        if !plain_parts || (!dotted && name.contains('.')) {
+        // It begins with no dot, or it would be no name.
+        let next = name.bytes().skip(1).chain([b'.']);
+        let empty_part = name.bytes().zip(next).any(|pair| pair == (b'.', b'.'));
+        if empty_part || (!dotted && split_at_dot(name).is_some()) {
             return Err(at.error("a dot is not allowed here in a name"));
         }
         let domain = &self.domain;

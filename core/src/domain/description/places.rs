@@ -6,7 +6,7 @@ use crate::domain::{
     Base, Dependence, Dimension, Member, Node, NodeId, Point, Shape, copy, intern,
 };
 use crate::error::Error;
-use crate::text::Lexer;
+use crate::text::{Lexer, split_at_dot};
 use heapless::Vec;
 
 /// Where a shape starts, has its middle and ends along an axis of its object.
@@ -120,7 +120,7 @@ impl<'t> DomainParser<'_, 't> {
 
     pub(super) fn point_statement(&mut self) -> Result<(), Error> {
         let name = self.new_name("expected the name of the point", true)?;
-        let (owner, part) = name.split_once('.').unwrap_or((name, ""));
+        let (owner, part) = split_at_dot(name).unwrap_or((name, ""));
         self.lexer
             .expect("=", "expected `=` and what the point is placed in")?;
         let frame = self.lexer.clone();

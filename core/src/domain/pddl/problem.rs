@@ -201,7 +201,7 @@ impl<'t> Problem<'t> {
         })?;
         Ok(GroundAtom {
             predicate,
-            objects: Arguments::new(objects)?,
+            objects: Arguments::new(objects.iter().copied())?,
         })
     }
 }

@@ -11,6 +11,7 @@ use super::forms::{Forms, Set, Side};
 use super::greedy::Taste;
 use super::set::{count, members};
 use crate::real::Real;
+use crate::table::{gather, move_last};
 use heapless::Vec;
 
 /// Samples that are tried to be excluded, each with all forms.
@@ -106,7 +107,7 @@ fn pair_against<R: Real>(
 ) -> Option<(f64, Chosen<R>)> {
     let feasible = forms.feasible(step);
     let mut best: Option<(f64, Chosen<R>)> = None;
-    for first in promising(forms, left, &feasible, pivot) {
+    for first in promising(forms, left, &feasible, pivot).iter().copied() {
         forms.for_each_side(LEVEL, |second| {
             let value = |side: &Side, sample| forms.value_at(side, sample);
             let at = [value(&first, pivot), value(&second, pivot)];
@@ -188,11 +189,11 @@ fn promising<R: Real>(
         if best.is_full() && place < best.len() {
             best.pop();
         }
-        if place <= best.len() {
-            let _ = best.insert(place, (score, side));
+        if best.push((score, side)).is_ok() {
+            move_last(&mut best, place);
         }
     });
-    best.into_iter().map(|(_, side)| side).collect()
+    gather(best.iter().map(|(_, side)| *side))
 }
 
 fn bound<R: Real>(side: Side, inner: R, outer: R) -> Bound<R> {

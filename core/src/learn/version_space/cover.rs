@@ -13,6 +13,7 @@ use super::greedy::{Taste, best_side};
 use super::set::{count, insert, is_empty, members, remove};
 use crate::random::Generator;
 use crate::real::Real;
+use crate::table::{move_last, take_out};
 use heapless::Vec;
 use rand_core::Rng;
 
@@ -221,9 +222,11 @@ impl<R: Real> Cover<R> {
     fn drop_redundant(&mut self, forms: &Forms<'_, R>, step: usize) {
         let all = self.excluded(forms, step);
         for index in (0..self.chosen.len()).rev() {
-            let chosen = self.chosen.remove(index);
-            if self.excluded(forms, step) != all {
-                let _ = self.chosen.insert(index, chosen);
+            let Some(chosen) = take_out(&mut self.chosen, index) else {
+                continue;
+            };
+            if self.excluded(forms, step) != all && self.chosen.push(chosen).is_ok() {
+                move_last(&mut self.chosen, index);
             }
         }
     }
@@ -363,25 +366,28 @@ impl<R: Real> Cover<R> {
         let mut improved = false;
         for index in 0..self.chosen.len() {
             let mut others = self.chosen.clone();
-            let old = others.remove(index);
+            let Some(old) = take_out(&mut others, index) else {
+                continue;
+            };
             let overlap = self.overlap(forms, step);
             let alone = self.alone(forms, step, (index, &old), &overlap);
             let needed = (MOST * count(&alone) as f64) as u32;
             let (mut best, mut least) = (old, old.bits(forms, &others) + details(&old) - SHORTER);
             forms.for_each_count(step, &alone, |side, count| {
                 let mut new = Chosen::new(Bound::inside(forms, side, step));
-                if count < needed || new.bits(forms, &others) >= least {
+                let shortest = new.bits(forms, &others) - forms.bits_of_threshold();
+                if count < needed || shortest >= least {
                     return;
                 }
                 new.bound.range = range(forms, &side, step);
                 if let Some(fitted) = new.fit(forms, step, &alone, slack) {
                     new = fitted;
                     let mut bits = new.bits(forms, &others);
-                    if bits < least {
+                    if bits - forms.bits_of_threshold() < least {
                         bits += details(&new);
-                    }
-                    if bits < least {
-                        (best, least) = (new, bits);
+                        if bits < least {
+                            (best, least) = (new, bits);
+                        }
                     }
                 }
             });
@@ -410,7 +416,7 @@ impl<R: Real> Cover<R> {
         let mut shortened = false;
         for index in (0..self.chosen.len()).rev() {
             let mut other = self.clone();
-            other.chosen.remove(index);
+            take_out(&mut other.chosen, index);
             other.measure(forms, step, slack);
             if other.complete && length(&other) < length(self) - SHORTER {
                 *self = other;

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Measures what critreg takes on a Cortex-M4 and compares it with the README.
+
+    figures.py            fails if a figure grew by more than 5%
+    figures.py --update   writes the figures into the README
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+README = HERE.parent.parent / "README.md"
+BEGIN, END = "<!-- figures -->\n", "<!-- end of figures -->\n"
+GROWTH = 1.05
+
+# A column each: what is computed with, and the features of the library.
+VARIANTS = {"f64": "halt"}
+
+# A row each: the key, and what it is.
+ROWS = {
+    "flash": "flash: `pick.c` with the library, bytes",
+    "c_library": "flash: what it takes from the C library and libgcc, bytes",
+    "ram_256_64": "RAM: a learner with 256 forms, 64 observations, 4 instances, bytes",
+    "ram_1024_128": "RAM: 1024 forms, 128 observations",
+    "ram_4096_256": "RAM: 4096 forms, 256 observations",
+    "stack": "deepest stack, bytes",
+    "ask_mean": "instructions per `critreg_ask`, 1024 forms, mean of 100",
+    "tell_mean": "instructions per `critreg_tell`, mean of 100",
+    "tell_max": "instructions per `critreg_tell`, most",
+    "sample": "instructions per `critreg_sample_region`, mean of 100",
+}
+
+
+def run(*command, **keywords):
+    done = subprocess.run(command, cwd=HERE, text=True, stdout=subprocess.PIPE, **keywords)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}\n{done.stdout}")
+    return done.stdout
+
+
+def sections(program):
+    listing = run("arm-none-eabi-size", "-A", program)
+    return dict(re.findall(r"^\.(\S+)\s+(\d+)", listing, re.MULTILINE))
+
+
+def measure(features):
+    """The figures of a library with these features, by key."""
+    run("make", "--silent", "measure", f"FEATURES={features}")
+    build = HERE.parent / "build" / "cortex_m"
+    size = sections(build / "pick.elf")
+    lines = (build / "figures.txt").read_text().splitlines()
+    figures = {key: int(number) for key, number in map(str.split, lines)}
+    return {"flash": int(size["text"]), "c_library": int(size["c_library"]), **figures}
+
+
+def table(columns):
+    def number(value):
+        return f"{value:,}".replace(",", " ")
+
+    lines = ["| on a Cortex-M4F | " + " | ".join(columns) + " |", "|---" * (len(columns) + 1) + "|"]
+    for key, title in ROWS.items():
+        numbers = [number(figures[key]) for figures in columns.values()]
+        lines.append("| " + " | ".join([title, *numbers]) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def read(text):
+    """The numbers of a table, by title and column."""
+    head, _, *rows = [line.strip("|").split("|") for line in text.strip().splitlines()]
+    names = [name.strip() for name in head[1:]]
+    numbers = {}
+    for title, *cells in rows:
+        for name, cell in zip(names, cells):
+            numbers[title.strip(), name] = int(cell.replace(" ", ""))
+    return numbers
+
+
+def main():
+    before, _, rest = README.read_text().partition(BEGIN)
+    committed, _, after = rest.partition(END)
+    new = table({name: measure(features) for name, features in VARIANTS.items()})
+    print(new, end="")
+    if "--update" in sys.argv:
+        README.write_text(before + BEGIN + new + END + after)
+        return
+    old, new = read(committed), read(new)
+    if old.keys() != new.keys():
+        sys.exit("the README has other figures; figures.py --update writes these")
+    grown = [key for key in new if new[key] > GROWTH * old[key]]
+    for title, name in grown:
+        print(f"grew: {title}, {name}: {old[title, name]} -> {new[title, name]}")
+    if grown:
+        sys.exit("figures.py --update accepts this")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,70 @@
+//! Planning with the core: a skill is learned, and planned with.
+
+use critreg::Error;
+use critreg::domain::{Atoms, Environment, GroundOperator, State, Task, ground_operators};
+use critreg::env::stick_button::StickButton;
+use critreg::plan::skill::{Changes, Informed, Skill, Skills, Training, TrainingMemory};
+use critreg::plan::{AbstractTask, Conclusion, Config, Memory, Planner, ReasonId, Simulated};
+use critreg::random::generator;
+use critreg::text::TextBuffer;
+
+/// What the caller lends and asks for. Nothing of it is known when compiling.
+pub struct Room {
+    environment: StickButton,
+    tasks: &'static [Task],
+    skill: usize,
+    training: Training,
+    config: Config,
+    seed: u64,
+    skills: [Option<Skill>; 8],
+    changes: [Changes; 8],
+    operators: heapless::Vec<GroundOperator, 32>,
+    memory: TrainingMemory<'static>,
+    planner: Memory<'static, State>,
+    text: [u8; 512],
+}
+
+/// Whether there is a plan, or a reason why there is none.
+#[unsafe(no_mangle)]
+pub fn no_std_plan(room: Room) -> bool {
+    plan(room).unwrap_or(false)
+}
+
+fn plan(mut room: Room) -> Result<bool, Error> {
+    let environment = &room.environment;
+    let mut skills = Skills::new(environment, &mut room.skills, &mut room.changes)?;
+    skills.learn(
+        room.skill,
+        environment,
+        room.tasks,
+        &room.training,
+        room.memory,
+    )?;
+    let task = room.tasks.first().ok_or(Error::NoRegion)?;
+    let atoms = Atoms::new(environment, &task.initial)?;
+    let lifted = environment.operators();
+    ground_operators(lifted, &task.initial, &atoms, &mut room.operators)?;
+    let goal = AbstractTask {
+        operators: &room.operators,
+        initial: atoms.abstract_state(environment, &task.initial),
+        goal: atoms.set(task.goal.iter().copied())?,
+    };
+    let mut informed = Informed::new(environment, &skills, &task.initial);
+    let mut planner = Planner {
+        world: &mut Simulated {
+            environment,
+            atoms: &atoms,
+        },
+        sampler: &mut informed.clone(),
+        guide: &mut informed,
+        config: room.config,
+    };
+    let lots = generator(room.seed);
+    let samples = || generator(room.seed);
+    let planned = planner.plan(goal, &task.initial, lots, samples, room.planner)?;
+    let solved = planned.conclusion == Conclusion::Solved;
+    let mut text = TextBuffer::new(&mut room.text);
+    let reason = planned.metrics.main_reason().unwrap_or(ReasonId(0));
+    let explained = informed.explain(&room.operators, reason, &mut text);
+    Ok(solved || explained.is_ok())
+}
