@@ -6,7 +6,7 @@ use crate::golden::{self, Recording};
 use crate::plan::Room;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn_from};
 use critreg::Error;
-use critreg::domain::{Environment, Task};
+use critreg::domain::{ControllerId, Environment, Task};
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
 use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
@@ -43,7 +43,7 @@ fn training() -> Training {
             slack: 0.0,
             ..Default::default()
         },
-        chained: 60,
+        chained: 50,
         tasks: 12,
         instances: 30,
         states: 26,
@@ -140,6 +140,7 @@ fn evaluate<E: Describe>(
             &mut training_room,
         );
         let learned = learned.expect("learning does not fail");
+        print_budgets(environment, &skills, &learned);
         for (index, learned) in learned.iter().enumerate() {
             let judged = judge(environment, &mut skills, index, tests, &mut training_room);
             print_skill(environment, &skills, index, learned, &judged);
@@ -155,6 +156,26 @@ fn evaluate<E: Describe>(
     }
     original.print();
     planned.print();
+}
+
+/// Prints what it took to learn all skills of each controller.
+fn print_budgets<E: Describe>(environment: &E, skills: &Skills<'_>, learned: &[Learned]) {
+    for (id, controller) in (0..).map(ControllerId).zip(environment.controllers()) {
+        let pairs = skills.iter().zip(learned);
+        let own: Vec<&Learned> = pairs
+            .filter(|(skill, _)| skill.description().own == id)
+            .map(|(_, learned)| learned)
+            .collect();
+        if !own.is_empty() {
+            let tasks = own.iter().map(|learned| learned.tasks).max();
+            let calls: u32 = own.iter().map(|learned| learned.calls).sum();
+            println!(
+                "controller: {}, tasks {}, calls {calls}",
+                controller.name,
+                tasks.unwrap_or(0)
+            );
+        }
+    }
 }
 
 /// Prints a line about a skill, and its region.
@@ -178,7 +199,7 @@ fn print_skill<E: Describe>(
 
 /// The controllers of a skill.
 fn title<E: Environment>(environment: &E, skill: &Skill) -> String {
-    let name = |id: critreg::domain::ControllerId| {
+    let name = |id: ControllerId| {
         environment.controllers()[usize::from(id.0)]
             .name
             .to_string()
