@@ -24,7 +24,7 @@ fn tasks(buttons: RangeInclusive<usize>) -> Vec<Task> {
 }
 
 /// Searches 100 skeletons, unguided; returns how many nodes were created.
-fn skeletons(grounding: &Grounding, room: &mut Room) -> u32 {
+fn skeletons(grounding: &Grounding<'_, StickButton>, room: &mut Room) -> u32 {
     let memory = room.lend();
     let mut metrics = Metrics::new(memory.failures, memory.reasons);
     let config = Config::default();
@@ -40,7 +40,7 @@ fn search(c: &mut Criterion) {
     let mut room = Room::new(NODES);
     let groundings: Vec<_> = tasks(3..=4)
         .iter()
-        .map(|t| Grounding::new(t).unwrap())
+        .map(|t| Grounding::new(&ENVIRONMENT, t).unwrap())
         .collect();
     let nodes: u32 = groundings.iter().map(|g| skeletons(g, &mut room)).sum();
     let mut group = c.benchmark_group("search");
@@ -53,7 +53,7 @@ fn search(c: &mut Criterion) {
 /// Plans a task from scratch, and returns samples and steps.
 fn plan<S, G: Guide>(
     task: &Task,
-    grounding: &Grounding,
+    grounding: &Grounding<'_, StickButton>,
     (mut sampler, mut guide): (S, G),
     room: &mut Room,
 ) -> [u32; 2]
@@ -90,7 +90,7 @@ fn bench<'t, S, G: Guide>(
     let mut room = Room::new(NODES);
     let mut all = || {
         tasks.iter().fold([0, 0], |[samples, steps], task| {
-            let grounding = Grounding::new(task).unwrap();
+            let grounding = Grounding::new(&ENVIRONMENT, task).unwrap();
             let [more, longer] = plan(task, &grounding, hooks(task), &mut room);
             [samples + more, steps + longer]
         })
@@ -104,8 +104,8 @@ fn bench<'t, S, G: Guide>(
 
 fn planning(c: &mut Criterion) {
     let training = Training::default();
-    let mut skill_room = SkillRoom::default();
-    let mut skills = skill_room.lend();
+    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let mut skills = skill_room.lend(&ENVIRONMENT);
     learn(&mut skills, 1, &training, &mut TrainingRoom::new(&training)).unwrap();
     for buttons in [1..=1, 3..=4] {
         let tasks = tasks(buttons.clone());

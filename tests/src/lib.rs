@@ -2,6 +2,7 @@
 pub mod arm;
 pub mod by_hand;
 pub mod data;
+pub mod golden;
 pub mod pick;
 pub mod picture;
 pub mod plan;

@@ -1,9 +1,10 @@
 //! Picking the stick, the learning problem of the thesis (6.3), for host programs.
 
 use critreg::Error;
-use critreg::domain::Domain;
-use critreg::env::stick_button::StickButton;
+use critreg::domain::{Domain, State};
+use critreg::env::stick_button::{ROBOT, STICK, StickButton};
 use critreg::learn::{Algorithm1, Answer, Config, Learner, Problem, learn_region};
+use critreg::plan::skill::Scope;
 use critreg::random::generator;
 use critreg::region::Theta;
 
@@ -61,5 +62,16 @@ pub fn run<L: Learner>(learner: &mut L, problem: &Problem<'_>) -> Result<(), Err
     match learned {
         Ok(_) | Err(Error::NoRegion) => Ok(()),
         Err(error) => Err(error),
+    }
+}
+
+/// Who fills the roles of PickStick in a state.
+pub fn scope(state: &State) -> Scope<'_, StickButton> {
+    Scope {
+        environment: &ENVIRONMENT,
+        state,
+        own: &[ROBOT, STICK],
+        later: &[],
+        among: &[],
     }
 }

@@ -92,7 +92,7 @@ fn planned_by_the_core(seed: u64) -> String {
     let buttons = 1 + seed as usize % 4;
     let task = ENVIRONMENT.task(buttons..=buttons, &mut generator(seed));
     let task = task.unwrap();
-    let grounding = Grounding::new(&task).unwrap();
+    let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
     let mut room = Room::new(10_000);
     let mut planner = Planner {
         world: &mut grounding.simulated(),

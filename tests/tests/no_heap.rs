@@ -64,10 +64,10 @@ fn learning_and_drawing() {
     let instances = instances(7, 4);
     let capacity = Capacity {
         forms: 4096,
+        tracked: 4096,
         observations: 128,
         instances: 4,
         steps: 1,
-        tracked: 4096,
     };
     let mut room = VersionSpaceRoom::<f64>::new(capacity);
     let (mut bytes, mut words) = (vec![0; 8192], vec![0; 2048]);
@@ -95,14 +95,14 @@ fn learning_skills_and_planning_with_them() {
     let training = Training::default();
     let training_tasks = tasks(1, 1..=2, training.states);
     let (mut room, mut planner_room) = (TrainingRoom::new(&training), Room::new(10_000));
-    let mut skill_room = SkillRoom::default();
+    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
     let task = tasks(2, 2..=2, 1).remove(0);
     let (calls, conclusion) = calls(|| -> Result<Conclusion, critreg::Error> {
-        let mut skills = skill_room.lend();
+        let mut skills = skill_room.lend(&ENVIRONMENT);
         for index in 0..ENVIRONMENT.descriptions().len() {
             skills.learn(index, &ENVIRONMENT, &training_tasks, &training, room.lend())?;
         }
-        let grounding = Grounding::new(&task)?;
+        let grounding = Grounding::new(&ENVIRONMENT, &task)?;
         let mut informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
         let mut planner = Planner {
             world: &mut grounding.simulated(),

@@ -72,7 +72,7 @@ fn every_recorded_run() {
 /// Plans the task of a run with the framework's streams of random numbers, and
 /// returns the number of samples.
 fn replay(run: &Run, generator: &Pcg64, room: &mut Room) -> u32 {
-    let grounding = Grounding::new(&run.task).unwrap();
+    let grounding = Grounding::new(&ENVIRONMENT, &run.task).unwrap();
     let mut world = grounding.simulated();
     let mut sampler = Tracing {
         original: world,
@@ -130,7 +130,7 @@ fn the_thesis_s_table() {
     let is_its = |run: &Run| run.name.starts_with("1-1 buttons, seed 0,");
     for run in record::runs().filter(is_its) {
         original.push(run.counts[0]);
-        let grounding = Grounding::new(&run.task).unwrap();
+        let grounding = Grounding::new(&ENVIRONMENT, &run.task).unwrap();
         let restart = || generators[run.planner_seed as usize].clone();
         let mut planner = Planner {
             world: &mut grounding.simulated(),
@@ -156,7 +156,7 @@ fn the_thesis_s_table() {
 /// Plans with the library's generator.
 fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide>(
     initial: &State,
-    grounding: &'m Grounding,
+    grounding: &'m Grounding<'_, StickButton>,
     (sampler, guide): (&mut S, &mut G),
     config: Config,
     room: &'m mut Room,
@@ -189,7 +189,7 @@ fn ideal_knowledge_needs_a_sample_per_step() {
     let mut room = Room::new(10_000);
     let (mut samples, mut length, mut postponed) = (0, 0, 0);
     for task in tasks(3..=4, 100) {
-        let grounding = Grounding::new(&task).unwrap();
+        let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
         let initial = &task.initial;
         let mut ideal = Ideal { initial };
         let hooks = (&mut ideal.clone(), &mut ideal);
@@ -233,7 +233,7 @@ impl Guide for Wrong<'_> {
 type End = (Conclusion, Spent, Vec<u16>);
 
 fn end<G: Guide>(run: &Run, guide: &mut G, room: &mut Room) -> (End, bool) {
-    let grounding = Grounding::new(&run.task).unwrap();
+    let grounding = Grounding::new(&ENVIRONMENT, &run.task).unwrap();
     let mut planner = Planner {
         world: &mut grounding.simulated(),
         sampler: &mut grounding.simulated(),
@@ -281,7 +281,7 @@ fn every_conclusion_tells_what_it_cost() {
         .into_iter()
         .find(|task| {
             // Only the stick reaches the button, so that several samples are needed.
-            let grounding = Grounding::new(task).unwrap();
+            let grounding = Grounding::new(&ENVIRONMENT, task).unwrap();
             let hooks = (&mut grounding.simulated(), &mut Unguided);
             let mut room = Room::new(1000);
             let planned = plan(
@@ -294,7 +294,7 @@ fn every_conclusion_tells_what_it_cost() {
             planned.metrics.samples > 5 && planned.metrics.skeletons == 2
         })
         .unwrap();
-    let grounding = Grounding::new(&task).unwrap();
+    let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
     let default = Config::default();
     let cases = [
         (default, 1000, Conclusion::Solved),
@@ -348,7 +348,7 @@ fn why_no_plan_was_found() {
     let mut task = tasks(1..=1, 1).remove(0);
     let button = task.initial.attributes_mut(FIRST_BUTTON).unwrap();
     button[1] = 5.95;
-    let grounding = Grounding::new(&task).unwrap();
+    let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
     let initial = &task.initial;
     let mut ideal = Ideal { initial };
     let mut room = Room::new(10_000);
@@ -382,7 +382,7 @@ fn a_goal_that_holds_needs_no_step_and_one_out_of_reach_ends_the_search() {
         ..task.clone()
     };
     let outcomes = [(&solved, true), (&task, false)].map(|(task, press)| {
-        let mut grounding = Grounding::new(task).unwrap();
+        let mut grounding = Grounding::new(&ENVIRONMENT, task).unwrap();
         if !press {
             // The first four pick and place.
             grounding.operators.truncate(4);
@@ -420,7 +420,7 @@ impl<'a> Sampler<Simulated<'a, StickButton>> for Fragile<'a> {
 #[test]
 fn an_error_is_passed_on_and_the_memory_stays_usable() {
     let task = tasks(1..=1, 1).remove(0);
-    let grounding = Grounding::new(&task).unwrap();
+    let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
     let mut room = Room::new(1000);
     let mut results = vec![];
     for draws in [1000, 0, 1000] {

@@ -1,15 +1,11 @@
-//! Learned skills: roles, regions, planning with them, and why something cannot work.
+//! Learned skills: regions, planning with them, and why something cannot work.
 
-use critreg::Error;
-use critreg::domain::{
-    Attribute, Dimension, Domain, Environment, GroundOperator, Naming, ObjectId, ObjectType, State,
-    Task, TypeId, try_operator,
-};
+use critreg::domain::{Environment, GroundOperator, ObjectId, State, Task, try_operator};
 use critreg::env::stick_button::{
     BUTTON_TYPE, FIRST_BUTTON, HOLDER, PICK_STICK, PLACE_STICK, PRESSED, ROBOT, ROBOT_PRESS_BUTTON,
-    STICK, STICK_PRESS_BUTTON, World,
+    STICK, STICK_PRESS_BUTTON, StickButton, World,
 };
-use critreg::plan::skill::{Binding, Changes, Describe, Informed, Skills, Training};
+use critreg::plan::skill::{Describe, Informed, Skills, Training};
 use critreg::plan::{
     Advice, Conclusion, Config, Draw, Drawn, Guide, Metrics, Planned, Planner, Sampler, Search,
     Simulated, Skeleton, Spent, Unguided,
@@ -41,6 +37,8 @@ fn know(skills: &mut Skills<'_>, regions: &[&str]) {
 /// Runs every controller once, so that it is seen what they change.
 fn observe(skills: &mut Skills<'_>) {
     let training = Training {
+        chained: 20,
+        tasks: 10,
         instances: 4,
         states: 10,
         learner: critreg::learn::version_space::Config {
@@ -53,9 +51,9 @@ fn observe(skills: &mut Skills<'_>) {
 }
 
 /// Plans with numbers that begin again with each skeleton.
-fn plan<'m, S: Sampler<Simulated<'m, critreg::env::stick_button::StickButton>>, G: Guide>(
+fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide>(
     task: &Task,
-    grounding: &'m Grounding,
+    grounding: &'m Grounding<'_, StickButton>,
     (mut sampler, mut guide): (S, G),
     room: &'m mut Room,
 ) -> Planned<'m, State> {
@@ -72,169 +70,6 @@ fn plan<'m, S: Sampler<Simulated<'m, critreg::env::stick_button::StickButton>>, 
 
 const NODES: usize = 10_000;
 
-// Roles
-
-const X: Attribute<'static> = Attribute {
-    name: "x",
-    dimension: Dimension::Length,
-};
-const W: Attribute<'static> = Attribute {
-    name: "w",
-    dimension: Dimension::Length,
-};
-const TYPES: [ObjectType; 4] = [
-    ObjectType {
-        name: "hand",
-        attributes: &[X],
-        naming: Naming::Single("hand"),
-    },
-    ObjectType {
-        name: "block",
-        attributes: &[W, X],
-        naming: Naming::Numbered("block"),
-    },
-    ObjectType {
-        name: "table",
-        attributes: &[X],
-        naming: Naming::Single("table"),
-    },
-    ObjectType {
-        name: "peg",
-        attributes: &[X, W],
-        naming: Naming::Numbered("peg"),
-    },
-];
-const HAND: TypeId = TypeId(0);
-const BLOCK: TypeId = TypeId(1);
-const TABLE: TypeId = TypeId(2);
-const PEG: TypeId = TypeId(3);
-
-/// A state of one hand, so many blocks and pegs, and a table. Numbers tell the objects.
-fn blocks(blocks: u8, pegs: u8) -> State {
-    let mut state = State::new();
-    state.add(&TYPES, HAND, &[1.0]).unwrap();
-    for block in 0..blocks {
-        let number = f64::from(block);
-        state
-            .add(&TYPES, BLOCK, &[10.0 + number, 20.0 + number])
-            .unwrap();
-    }
-    for peg in 0..pegs {
-        let number = f64::from(peg);
-        state
-            .add(&TYPES, PEG, &[30.0 + number, 40.0 + number])
-            .unwrap();
-    }
-    state.add(&TYPES, TABLE, &[50.0]).unwrap();
-    state
-}
-
-#[test]
-fn roles_are_filled_by_their_names() {
-    let x = "{ x: length }";
-    let domain = format!(
-        "object block2 {x} object later_block {x} object block {{ x: length, w: length }}
-         object hand {x} object table {x} object peg[3] {x} object later_block2 {x}"
-    );
-    let domain = Domain::parse(&domain).unwrap();
-    let own = [HAND, BLOCK, BLOCK];
-    let later = [BLOCK, BLOCK, HAND];
-    let binding = Binding::new(&domain, &TYPES, &own, &later).unwrap();
-    assert_eq!(binding.len(), domain.instance_len());
-    let mut out = vec![0.0; binding.len()];
-    let objects = |ids: [u8; 3]| ids.map(ObjectId);
-    let state = blocks(4, 2);
-    binding
-        .instance(&state, &objects([0, 2, 4]), &objects([3, 1, 0]), &mut out)
-        .unwrap();
-    let expected = [
-        23.0,
-        22.0,
-        21.0,
-        11.0,
-        1.0,
-        50.0,
-        30.0,
-        31.0,
-        f64::NAN,
-        20.0,
-    ];
-    let bits = |numbers: &[f64]| numbers.iter().map(|n| n.to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(&out), bits(&expected));
-}
-
-#[test]
-fn a_later_object_fills_a_role_that_the_first_action_has_not() {
-    let domain = Domain::parse("object peg { w: length } object block { x: length }").unwrap();
-    let binding = Binding::new(&domain, &TYPES, &[BLOCK], &[BLOCK, PEG]).unwrap();
-    let (mut out, state) = ([0.0; 2], blocks(2, 2));
-    let [first, second] = [1, 2].map(ObjectId);
-    binding
-        .instance(&state, &[second], &[first, ObjectId(4)], &mut out)
-        .unwrap();
-    assert_eq!(out, [41.0, 21.0]);
-}
-
-#[test]
-fn what_is_no_role_is_refused() {
-    let read = |text: &str| {
-        let domain = Domain::parse(text).unwrap();
-        Binding::new(&domain, &TYPES, &[BLOCK], &[])
-    };
-    for text in [
-        "object wall { x: length }",
-        "object block { y: length }",
-        "object block { x: angle }",
-        "object block0 { x: length }",
-    ] {
-        assert!(matches!(read(text), Err(Error::Mismatch(_))), "{text}");
-    }
-    // One peg is the only one; two are too many, none too few.
-    let binding = read("object peg { x: length }").unwrap();
-    let filled = [0, 1, 2].map(|pegs| {
-        let state = blocks(1, pegs);
-        binding
-            .instance(&state, &[ObjectId(1)], &[], &mut [0.0])
-            .is_ok()
-    });
-    assert_eq!(filled, [false, true, false]);
-}
-
-#[test]
-fn changes_are_those_that_were_seen() {
-    let (before, hand) = (blocks(2, 1), ObjectId(0));
-    let mut after = before.clone();
-    after.attributes_mut(hand).unwrap()[0] = 5.0;
-    after.attributes_mut(ObjectId(2)).unwrap()[1] = 5.0;
-    after.attributes_mut(ObjectId(3)).unwrap()[0] = 5.0;
-    let mut changes = Changes::default();
-    let affected = |changes: &Changes, objects: &[ObjectId]| {
-        let all = [
-            (0, 0),
-            (1, 0),
-            (1, 1),
-            (2, 0),
-            (2, 1),
-            (3, 0),
-            (3, 1),
-            (4, 0),
-        ];
-        all.map(|(object, attribute)| changes.affect(objects, &before, ObjectId(object), attribute))
-    };
-    assert_eq!(affected(&changes, &[hand]), [true; 8], "never seen");
-    changes.observe(&[hand, ObjectId(2)], &before, &after);
-    let (no, yes) = (false, true);
-    // The hand, the second attribute of the own block, the first of all pegs.
-    assert_eq!(
-        affected(&changes, &[hand, ObjectId(2)]),
-        [yes, no, no, no, yes, yes, no, no]
-    );
-    assert_eq!(
-        affected(&changes, &[hand, ObjectId(1)]),
-        [yes, no, yes, no, no, yes, no, no]
-    );
-}
-
 // Learning
 
 #[test]
@@ -242,14 +77,14 @@ fn learned_skills_need_about_a_sample_per_step() {
     let training = Training::default();
     let mut training_room = TrainingRoom::new(&training);
     let mut room = Room::new(NODES);
-    let mut skill_rooms = [SkillRoom::default(), SkillRoom::default()];
+    let mut skill_rooms = [SkillRoom::new(&ENVIRONMENT), SkillRoom::new(&ENVIRONMENT)];
     let mut texts = vec![];
     for skill_room in &mut skill_rooms {
-        let mut skills = skill_room.lend();
+        let mut skills = skill_room.lend(&ENVIRONMENT);
         let learned = learn(&mut skills, 3, &training, &mut training_room).unwrap();
         let (mut samples, mut length) = (0, 0);
         for task in tasks(77, 3..=4, 50) {
-            let grounding = Grounding::new(&task).unwrap();
+            let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
             let informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
             let planned = plan(&task, &grounding, (informed, informed), &mut room);
             assert_eq!(planned.conclusion, Conclusion::Solved);
@@ -285,8 +120,8 @@ fn learned_skills_need_about_a_sample_per_step() {
 
 #[test]
 fn what_controllers_change_is_seen_while_learning() {
-    let mut skill_room = SkillRoom::default();
-    let mut skills = skill_room.lend();
+    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let mut skills = skill_room.lend(&ENVIRONMENT);
     observe(&mut skills);
     let task = &tasks(1, 2..=2, 1)[0];
     let (button, other) = (FIRST_BUTTON, ObjectId(FIRST_BUTTON.0 + 1));
@@ -327,11 +162,11 @@ fn what_controllers_change_is_seen_while_learning() {
 
 #[test]
 fn a_skill_that_nothing_is_known_of_is_the_original_sampler() {
-    let mut skill_room = SkillRoom::default();
-    let skills = skill_room.lend();
+    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let skills = skill_room.lend(&ENVIRONMENT);
     let mut room = Room::new(NODES);
     for task in tasks(5, 1..=2, 30) {
-        let grounding = Grounding::new(&task).unwrap();
+        let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
         let informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
         let outcome = |planned: Planned<'_, State>| {
             let (metrics, steps) = (planned.metrics, planned.steps.iter());
@@ -395,7 +230,7 @@ fn may_work(state: &State, operators: &[&GroundOperator]) -> bool {
 
 /// Compares each advice with the closed form.
 struct Checked<'a> {
-    informed: Informed<'a, critreg::env::stick_button::StickButton>,
+    informed: Informed<'a, StickButton>,
     counts: [u32; 2],
 }
 
@@ -412,8 +247,8 @@ impl Guide for Checked<'_> {
 
 #[test]
 fn the_guide_keeps_what_may_work_and_nothing_else() {
-    let mut skill_room = SkillRoom::default();
-    let mut skills = skill_room.lend();
+    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let mut skills = skill_room.lend(&ENVIRONMENT);
     observe(&mut skills);
     // Nothing is known of placing, which depends on where the stick was grasped.
     let regions = [TRUE_REGIONS[0], TRUE_REGIONS[1], "", TRUE_REGIONS[3]];
@@ -421,7 +256,7 @@ fn the_guide_keeps_what_may_work_and_nothing_else() {
     let mut room = Room::new(NODES);
     let mut counts = [0; 2];
     for task in tasks(11, 1..=4, 40) {
-        let grounding = Grounding::new(&task).unwrap();
+        let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
         let memory = room.lend();
         let mut metrics = Metrics::new(memory.failures, memory.reasons);
         let config = Config {
@@ -469,8 +304,8 @@ proptest! {
         seed in 0u64..1000, order in Just(vec![0, 1, 2]).prop_shuffle(),
         places in prop::collection::vec(0usize..1000, 1..5),
     ) {
-        let mut skill_room = SkillRoom::default();
-        let mut skills = skill_room.lend();
+        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+        let mut skills = skill_room.lend(&ENVIRONMENT);
         know(&mut skills, &TRUE_REGIONS);
         let task = &tasks(seed, 3..=3, 1)[0];
         let other = Task { initial: permuted(&task.initial, &order), goal: task.goal.clone() };
@@ -481,7 +316,7 @@ proptest! {
                 ObjectId(FIRST_BUTTON.0 + new as u8)
             }
         };
-        let groundings = [task, &other].map(|task| Grounding::new(task).unwrap());
+        let groundings = [task, &other].map(|task| Grounding::new(&ENVIRONMENT, task).unwrap());
         let [first, second] = &groundings;
         let places: Vec<u16> = places.iter().map(|p| (p % first.operators.len()) as u16).collect();
         let others: Vec<u16> = places.iter().map(|place| {
@@ -492,7 +327,7 @@ proptest! {
             });
             found.unwrap() as u16
         }).collect();
-        let judge = |task: &Task, grounding: &Grounding, places: &[u16]| {
+        let judge = |task: &Task, grounding: &Grounding<'_, StickButton>, places: &[u16]| {
             let mut informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
             let skeleton = Skeleton::new(&grounding.operators, places);
             let kept = informed.judge(skeleton) == Advice::Keep;
@@ -532,7 +367,7 @@ fn end(planned: &Planned<'_, State>) -> (Conclusion, Spent, Vec<u16>) {
 #[test]
 fn wrong_regions_cost_no_plan() {
     let mut room = Room::new(NODES);
-    let mut skill_room = SkillRoom::default();
+    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
     let wrong: [[&str; 4]; 4] = [
         ["mu >= 0.9", "", "", ""],
         ["grasp.y >= 2.9", "button.y >= 3", "o >= 0.9", ""],
@@ -541,11 +376,11 @@ fn wrong_regions_cost_no_plan() {
     ];
     let (mut anew, mut solved) = (0, 0);
     for regions in wrong {
-        let mut skills = skill_room.lend();
+        let mut skills = skill_room.lend(&ENVIRONMENT);
         observe(&mut skills);
         know(&mut skills, &regions);
         for run in record::runs().step_by(7) {
-            let grounding = Grounding::new(&run.task).unwrap();
+            let grounding = Grounding::new(&ENVIRONMENT, &run.task).unwrap();
             let original = (grounding.simulated(), Unguided);
             let original = end(&plan(&run.task, &grounding, original, &mut room));
             let informed = Informed::new(&ENVIRONMENT, &skills, &run.task.initial);
@@ -564,11 +399,11 @@ fn wrong_regions_cost_no_plan() {
 
 #[test]
 fn draws_from_everything_reach_what_a_region_leaves_out() {
-    let mut skill_room = SkillRoom::default();
-    let mut skills = skill_room.lend();
+    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let mut skills = skill_room.lend(&ENVIRONMENT);
     know(&mut skills, &["mu <= 0.25", "", "", ""]);
     let task = &tasks(2, 1..=1, 1)[0];
-    let grounding = Grounding::new(task).unwrap();
+    let grounding = Grounding::new(&ENVIRONMENT, task).unwrap();
     let is_pick = |o: &GroundOperator| o.objects.as_slice() == [ROBOT, STICK];
     let place = grounding.operators.iter().position(is_pick).unwrap() as u16;
     let outside = |everywhere: f64| {
@@ -613,12 +448,12 @@ fn with_button_at(y: f64) -> Task {
 
 #[test]
 fn why_there_is_no_plan() {
-    let mut skill_room = SkillRoom::default();
-    let mut skills = skill_room.lend();
+    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let mut skills = skill_room.lend(&ENVIRONMENT);
     observe(&mut skills);
     know(&mut skills, &TRUE_REGIONS);
     let task = with_button_at(5.97);
-    let grounding = Grounding::new(&task).unwrap();
+    let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
     let informed = Informed {
         prune: true,
         ..Informed::new(&ENVIRONMENT, &skills, &task.initial)

@@ -36,8 +36,15 @@ pub trait Algebra<R: Real>: Arithmetic<R> {
     fn measure(self) -> Self::Measure;
     /// The length of a vector.
     fn norm(vector: [Self; 3]) -> Self::Measure;
+    /// The angle between two vectors, in `[0, pi]`; zero if one of them is zero.
+    fn angle(a: [Self; 3], b: [Self; 3]) -> Self::Measure;
     /// The number, if it does not vary.
     fn known(self) -> Option<R>;
+}
+
+fn dot<R: Real, A: Arithmetic<R>>(a: [A; 3], b: [A; 3]) -> A {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    ax.times(bx).plus(ay.times(by)).plus(az.times(bz))
 }
 
 impl<R: Real> Arithmetic<R> for R {
@@ -76,6 +83,13 @@ impl<R: Real> Algebra<R> for R {
         }
         (x * x + y * y + z * z).sqrt()
     }
+    /// Well conditioned for every angle: the arc tangent of the lengths of the cross
+    /// and the dot product.
+    fn angle(a: [R; 3], b: [R; 3]) -> R {
+        let ([ax, ay, az], [bx, by, bz]) = (a, b);
+        let cross = [az * by - ay * bz, ax * bz - az * bx, ay * bx - ax * by];
+        R::norm(cross).atan2(dot(a, b))
+    }
     fn known(self) -> Option<R> {
         Some(self)
     }
@@ -92,6 +106,11 @@ pub struct Line<R> {
 }
 
 impl<R: Real> Line<R> {
+    /// The value at `t`.
+    pub fn value(&self, t: R) -> R {
+        self.at + self.slope * t
+    }
+
     fn scaled(self, factor: R) -> Line<R> {
         Line {
             at: self.at * factor,
@@ -143,6 +162,7 @@ impl<R: Real> Algebra<R> for Line<R> {
             line: self,
             factor: R::ZERO,
             vector: [Line::constant(R::ZERO); 3],
+            along: None,
         }
     }
     fn norm(vector: [Self; 3]) -> Curve<R> {
@@ -153,6 +173,30 @@ impl<R: Real> Algebra<R> for Line<R> {
             line: Line::constant(R::ZERO),
             factor: R::ONE,
             vector,
+            along: None,
+        }
+    }
+    fn angle(a: [Self; 3], b: [Self; 3]) -> Curve<R> {
+        let settled = |vector: [Self; 3]| {
+            let vary = vector.iter().any(|v| v.slope != R::ZERO);
+            (!vary).then(|| vector.map(|v| v.at))
+        };
+        let (moving, fixed) = match (settled(a), settled(b)) {
+            (Some(a), Some(b)) => return Curve::constant(R::angle(a, b)),
+            (None, Some(b)) => (a, b),
+            (Some(a), None) => (b, a),
+            (None, None) => return Curve::unknown(),
+        };
+        let length = R::norm(fixed);
+        if length == R::ZERO {
+            return Curve::constant(R::ZERO);
+        }
+        let direction = fixed.map(|v| Line::constant(v / length));
+        Curve {
+            line: Line::constant(R::ZERO),
+            factor: R::ONE,
+            vector: moving,
+            along: Some(dot(moving, direction)),
         }
     }
     fn known(self) -> Option<R> {
@@ -160,26 +204,32 @@ impl<R: Real> Algebra<R> for Line<R> {
     }
 }
 
-/// `line(t) + factor * |vector(t)|`: what the features of the grammar become
-/// along a line of parameters, unless they hold two lengths of vectors, a product
-/// of two parameters, a turn by a parameter or an extreme of what varies; those
+/// `line(t) + factor * |vector(t)|`, or `line(t) + factor * angle(t)` with the angle
+/// between the vector and a fixed direction: what the features of the grammar become
+/// along a line of parameters, unless they hold two lengths or angles of vectors, a
+/// product of two parameters, a turn by a parameter or an extreme of what varies; those
 /// are unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve<R> {
     /// The straight part.
     pub line: Line<R>,
-    /// How often the length counts.
+    /// How often the length or the angle counts.
     pub factor: R,
-    /// The vector whose length is taken.
+    /// The vector whose length or angle is taken.
     pub vector: [Line<R>; 3],
+    /// For an angle, the part of the vector along the direction.
+    pub along: Option<Line<R>>,
 }
 
 impl<R: Real> Curve<R> {
     /// Whether its value along the line is known. It may be infinite everywhere, as
     /// an extreme over nothing is.
     pub fn is_known(&self) -> bool {
-        let mut vector = self.vector.iter().map(|v| v.at + v.slope);
-        (self.line.slope + self.factor).is_finite() && vector.all(Real::is_finite)
+        let mut vector = self.vector.iter().chain(&self.along);
+        (self.line.slope + self.factor).is_finite()
+            && vector.all(|v| (v.at + v.slope).is_finite())
+            // The roots of an angle against a straight line have no closed form.
+            && (self.along.is_none() || self.line.slope == R::ZERO)
     }
 
     /// Whether its value along the line is known, and a number everywhere.
@@ -189,11 +239,34 @@ impl<R: Real> Curve<R> {
 
     /// The value at `t`.
     pub fn value(&self, t: R) -> R {
-        let straight = self.line.at + self.line.slope * t;
+        let straight = self.line.value(t);
         if self.factor == R::ZERO {
             return straight;
         }
-        straight + self.factor * R::norm(self.vector.map(|v| v.at + v.slope * t))
+        let length = R::norm(self.vector.map(|v| v.value(t)));
+        let Some(along) = self.along else {
+            return straight + self.factor * length;
+        };
+        let along = along.value(t);
+        let across = (length * length - along * along).max(R::ZERO).sqrt();
+        straight + self.factor * across.atan2(along)
+    }
+
+    /// A curve with the same roots that is no angle: a vector is at an angle to a
+    /// direction where its part along it is its length times the cosine. `None` if
+    /// there are no roots.
+    pub fn without_angle(self) -> Option<Self> {
+        let Some(along) = self.along else {
+            return Some(self);
+        };
+        let angle = -self.line.at / self.factor;
+        let possible = angle >= R::ZERO && angle <= R::from_f64(core::f64::consts::PI);
+        possible.then(|| Curve {
+            line: along,
+            factor: -angle.sin_cos().1,
+            vector: self.vector,
+            along: None,
+        })
     }
 
     /// Whether the value at `t` is zero but for rounding.
@@ -205,17 +278,17 @@ impl<R: Real> Curve<R> {
 
     fn sum(self, other: Self, sign: R) -> Self {
         let line = self.line.plus(other.line.scaled(sign));
-        let (factor, vector) = if other.factor == R::ZERO {
-            (self.factor, self.vector)
+        let (factor, bent) = if other.factor == R::ZERO {
+            (self.factor, self)
         } else if self.factor == R::ZERO {
-            (sign * other.factor, other.vector)
+            (sign * other.factor, other)
         } else {
             return Self::unknown();
         };
         Curve {
             line,
             factor,
-            vector,
+            ..bent
         }
     }
 
@@ -223,7 +296,7 @@ impl<R: Real> Curve<R> {
         Curve {
             line: self.line.scaled(factor),
             factor: self.factor * factor,
-            vector: self.vector,
+            ..self
         }
     }
 
@@ -342,6 +415,25 @@ impl<R: Real> Algebra<R> for Range<R> {
         Range {
             low: R::norm([x.low, y.low, z.low]),
             high: R::norm([x.high, y.high, z.high]),
+        }
+    }
+    fn angle(a: [Self; 3], b: [Self; 3]) -> Self {
+        let (dot, lengths) = (dot(a, b), Self::norm(a).times(Self::norm(b)));
+        let Range { low, high } = lengths;
+        if low == R::ZERO {
+            let high = R::from_f64(core::f64::consts::PI);
+            return Range { low, high };
+        }
+        // A cosine is farthest from zero where the vectors are shortest.
+        let angle = |dot: R, lengths: [R; 2]| {
+            let [positive, negative] = lengths.map(|length| dot / length);
+            let cosine = if dot < R::ZERO { negative } else { positive };
+            let cosine = cosine.clamp(-R::ONE, R::ONE);
+            (R::ONE - cosine * cosine).sqrt().atan2(cosine)
+        };
+        Range {
+            low: angle(dot.high, [low, high]),
+            high: angle(dot.low, [high, low]),
         }
     }
     fn known(self) -> Option<R> {

@@ -88,6 +88,8 @@ pub enum Relation {
     Distance(Metric, u8, u8),
     /// As [`Node::Angle`].
     Angle(u8, u8),
+    /// As [`Node::VertexAngle`].
+    VertexAngle(u8, u8, u8),
 }
 
 impl Relation {
@@ -98,6 +100,7 @@ impl Relation {
             Node::Coordinate(coordinate, point) => Some(Relation::Coordinate(coordinate, point)),
             Node::Distance(metric, a, b) => Some(Relation::Distance(metric, a, b)),
             Node::Angle(a, b) => Some(Relation::Angle(a, b)),
+            Node::VertexAngle(a, b, c) => Some(Relation::VertexAngle(a, b, c)),
             _ => None,
         }
     }
@@ -109,6 +112,7 @@ impl Relation {
             Relation::Coordinate(coordinate, point) => Node::Coordinate(coordinate, point),
             Relation::Distance(metric, a, b) => Node::Distance(metric, a, b),
             Relation::Angle(a, b) => Node::Angle(a, b),
+            Relation::VertexAngle(a, b, c) => Node::VertexAngle(a, b, c),
         }
     }
 }
@@ -130,14 +134,15 @@ impl<'t> Domain<'t> {
     }
 
     /// The members that a term is about, apart from those that an extreme is taken
-    /// of: none, one, or those of both points.
-    pub(crate) fn members_in(&self, term: Node) -> [Option<Member>; 2] {
+    /// of: none, one, or those of several points.
+    pub(crate) fn members_in(&self, term: Node) -> [Option<Member>; 3] {
         let point = |p: u8| self.points.get(usize::from(p))?.member;
         match term {
-            Node::Attribute(slot) => [self.owner(slot).and_then(|o| o.member), None],
-            Node::Coordinate(_, p) => [point(p), None],
-            Node::Distance(_, a, b) | Node::Angle(a, b) => [point(a), point(b)],
-            _ => [None; 2],
+            Node::Attribute(slot) => [self.owner(slot).and_then(|o| o.member), None, None],
+            Node::Coordinate(_, p) => [point(p), None, None],
+            Node::Distance(_, a, b) | Node::Angle(a, b) => [point(a), point(b), None],
+            Node::VertexAngle(a, b, c) => [point(a), point(b), point(c)],
+            _ => [None; 3],
         }
     }
 
@@ -161,6 +166,7 @@ impl<'t> Domain<'t> {
             Node::Coordinate(coordinate, p) => Node::Coordinate(coordinate, point(p)),
             Node::Distance(metric, a, b) => Node::Distance(metric, point(a), point(b)),
             Node::Angle(a, b) => Node::Angle(point(a), point(b)),
+            Node::VertexAngle(a, b, c) => Node::VertexAngle(point(a), point(b), point(c)),
             other => other,
         }
     }

@@ -33,6 +33,7 @@
 //! factor    = number | "pi" | path | "-" factor | "(" expr ")" | call | extreme ;
 //! extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over the members of a group *)
 //! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" ) "(" path "," path ")"
+//!           | "angle" "(" path "," path "," path ")"         (* at the second point *)
 //!           | "area" "(" name ")" ;
 //! path      = name { "." name } ;
 //! ```

@@ -76,6 +76,7 @@ impl PointSet {
         match term {
             Node::Coordinate(_, p) => self.with(domain, p),
             Node::Distance(_, a, b) | Node::Angle(a, b) => self.with(domain, a).with(domain, b),
+            Node::VertexAngle(a, b, c) => self.with(domain, a).with(domain, b).with(domain, c),
             _ => self,
         }
     }

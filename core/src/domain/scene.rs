@@ -247,6 +247,7 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
             Node::Coordinate(coordinate, p) => self.coordinate(coordinate, p),
             Node::Distance(metric, a, b) => self.distance(metric, a, b),
             Node::Angle(a, b) => self.angle(a, b),
+            Node::VertexAngle(a, vertex, b) => self.vertex_angle(a, vertex, b),
             Node::Extreme(extreme, relation) => self.extreme(extreme, relation),
             settled => A::Measure::constant(self.scene.settled(settled)),
         }
@@ -283,16 +284,21 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
         }
     }
 
-    /// Well conditioned for every angle: the arc tangent of the lengths of the
-    /// cross and the dot product of the two x axes.
     fn angle(&self, a: u8, b: u8) -> A::Measure {
         let headings = (self.heading(a), self.heading(b));
-        let (Some([ax, ay, az]), Some([bx, by, bz])) = headings else {
-            return A::Measure::unknown();
-        };
-        let cross = [az * by - ay * bz, ax * bz - az * bx, ay * bx - ax * by];
-        let dot = ax * bx + ay * by + az * bz;
-        A::Measure::constant(R::norm(cross).atan2(dot))
+        match headings {
+            (Some(a), Some(b)) => A::Measure::constant(R::angle(a, b)),
+            _ => A::Measure::unknown(),
+        }
+    }
+
+    fn vertex_angle(&self, a: u8, vertex: u8, b: u8) -> A::Measure {
+        let at = self.origin(vertex);
+        let [to_a, to_b] = [a, b].map(|point| {
+            let [[x, y, z], [ox, oy, oz]] = [self.origin(point), at];
+            [x.minus(ox), y.minus(oy), z.minus(oz)]
+        });
+        A::angle(to_a, to_b)
     }
 
     /// Where a sample point is; `None` for a point that is none.

@@ -129,6 +129,15 @@ impl Point<'_> {
     }
 }
 
+impl Domain<'_> {
+    /// Whether anything in the domain has a heading: an object's angle, or a turn.
+    pub fn has_headings(&self) -> bool {
+        let mut objects = self.objects.iter();
+        objects.any(|object| object.pose.angles != [None; 3])
+            || self.points.iter().any(|point| point.turn != [None; 3])
+    }
+}
+
 /// The outline of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
@@ -347,13 +356,25 @@ impl<'t> Domain<'t> {
         index_of(self.shapes.iter().position(|(o, _)| *o == object))
     }
 
-    /// Whether a position in this domain has a z coordinate.
-    pub fn is_spatial(&self) -> bool {
-        self.points.iter().any(|p| {
-            let [_, _, z] = p.offset;
-            z.is_some()
-                || matches!(p.base, Base::Object(o) if self.pose_slots(o).position[2].is_some())
-        })
+    /// Along how many axes positions in this domain lie: one, two or three.
+    pub fn axes(&self) -> usize {
+        let depth = |used: [bool; 3]| {
+            used.iter()
+                .rposition(|used| *used)
+                .map_or(0, |axis| axis + 1)
+        };
+        let axes = self.points.iter().map(|point| {
+            let pose = match point.base {
+                Base::Object(object) => self.pose_slots(object).position,
+                _ => [None; 3],
+            };
+            let turned = if self.has_headings() { 2 } else { 1 };
+            let moved = depth(point.offset.map(|term| term.is_some()));
+            moved
+                .max(depth(pose.map(|slot| slot.is_some())))
+                .max(turned)
+        });
+        axes.max().unwrap_or(1)
     }
 
     /// The name of the object that a point is placed in, directly or not.

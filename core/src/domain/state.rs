@@ -192,6 +192,12 @@ impl State {
             .get_mut(..usize::from(entry.count))
     }
 
+    /// The place of an object's first number among all; `None` if it is not in this
+    /// state.
+    pub fn place(&self, object: ObjectId) -> Option<usize> {
+        self.entry(object).map(|entry| entry.first.into())
+    }
+
     /// All numbers, object by object.
     pub fn values(&self) -> &[f64] {
         &self.values

@@ -3,4 +3,8 @@
 //! Each implements [`crate::domain::Environment`]; nothing else in the library
 //! knows of any of them.
 
+pub mod blocks;
+pub mod cluttered_table;
+pub mod cover;
+pub mod shelf;
 pub mod stick_button;

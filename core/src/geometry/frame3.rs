@@ -134,11 +134,11 @@ impl<R: Real> Frame3<R> {
     }
 }
 
-fn add<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> Vector3<R> {
+pub(super) fn add<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> Vector3<R> {
     [a + x, b + y, c + z]
 }
 
-fn dot<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> R {
+pub(super) fn dot<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> R {
     a * x + b * y + c * z
 }
 

@@ -1,8 +1,8 @@
 //! Whether two shapes meet.
 //!
-//! These are the tests of the Predicators framework, with its choices at the
-//! boundary: circles and crossing sides must overlap (strict), while points on a
-//! rim or a side count as inside (closed). Each test begins with the circles
+//! Those of plane shapes are the tests of the Predicators framework, with its choices
+//! at the boundary: circles and crossing sides must overlap (strict), while points on a
+//! rim or a side count as inside (closed). Each of them begins with the circles
 //! around the shapes, which settles most pairs without a look at any side.
 
 use super::{Circle, Rectangle, Segment, Vector2, between, distance, distance_squared};

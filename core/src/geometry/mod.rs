@@ -1,16 +1,18 @@
-//! Frames of reference and plane shapes.
+//! Frames of reference and shapes.
 //!
 //! [`Frame2`] and [`Frame3`] are the homogeneous transforms of thesis section
-//! 2.1; [`Circle`], [`Rectangle`] and [`Segment`] are the shapes of the built-in
-//! environments, and [`Intersects`] tells whether two of them meet. All are
-//! generic over [`Real`]; sine and cosine are computed once, when a frame or a
-//! rectangle is made from an angle.
+//! 2.1; [`Circle`], [`Rectangle`] and [`Segment`] in the plane and [`Cuboid`] in
+//! space are the shapes of the built-in environments, and [`Intersects`] tells
+//! whether two of them meet. All are generic over [`Real`]; sine and cosine are
+//! computed once, when a frame or a shape is made from an angle.
 
+mod cuboid;
 mod frame2;
 mod frame3;
 mod intersect;
 mod shape;
 
+pub use cuboid::Cuboid;
 pub use frame2::Frame2;
 pub use frame3::Frame3;
 pub use intersect::Intersects;

@@ -3,7 +3,7 @@
 //! | complexity | features |
 //! |---|---|
 //! | 1 | attributes, constants, parameters, coordinates of key and sample points, the plain numbers 0.25, 0.5, 0.75, 1, 1.25 and 1.5 |
-//! | 2 | distances in 1D, 2D and 3D, angle differences, areas; features of complexity 1 scaled by 0.25, 0.5, 0.75, 1.25, 1.5 |
+//! | 2 | distances in 1D, 2D and 3D, angle differences (angles at a point where nothing has a heading), areas; features of complexity 1 scaled by 0.25, 0.5, 0.75, 1.25, 1.5 |
 //! | 3 | sums and differences of two features of complexity 1, those of constants first; scaled distances, angles and areas |
 //! | 4 | sums and differences of a feature of complexity 1 and one of complexity 2 |
 //!
@@ -19,7 +19,7 @@
 
 use super::hypotheses::feature_id;
 use crate::domain::{
-    Coordinate, Dimension, Domain, Extreme, Metric, Node, NodeId, Relation, Sample, Scene,
+    Coordinate, Dimension, Domain, Extreme, Metric, Node, NodeId, Point, Relation, Sample, Scene,
 };
 use crate::error::Error;
 use crate::real::Real;
@@ -339,11 +339,11 @@ fn proper(block: Block, dimension: Dimension) -> u64 {
 /// How the grammar says a term: as it is, or, if it is about a group, as the extremes
 /// over it. The first member stands for all.
 fn said(domain: &Domain<'_>, term: Node) -> impl Iterator<Item = Node> + use<> {
-    let (plain, quantified) = match domain.members_in(term) {
-        [None, None] => (Some(term), None),
-        [Some(member), None] | [None, Some(member)] if member.index == 0 => {
-            (None, Relation::of(term))
-        }
+    let members = domain.members_in(term);
+    let mut members = members.iter().flatten();
+    let (plain, quantified) = match (members.next(), members.next()) {
+        (None, _) => (Some(term), None),
+        (Some(member), None) if member.index == 0 => (None, Relation::of(term)),
         _ => (None, None),
     };
     let extremes = quantified
@@ -366,11 +366,11 @@ fn coordinates<'d>(
     dimension: Dimension,
     sampled: bool,
 ) -> impl Iterator<Item = Node> + 'd {
-    let spatial = domain.is_spatial();
-    let axes: &[Coordinate] = match dimension {
-        Dimension::Length if spatial => &[Coordinate::X, Coordinate::Y, Coordinate::Z],
-        Dimension::Length => &[Coordinate::X, Coordinate::Y],
-        Dimension::Angle => &[Coordinate::Theta],
+    let axes: &[Coordinate] = match (dimension, domain.axes()) {
+        (Dimension::Length, 1) => &[Coordinate::X],
+        (Dimension::Length, 2) => &[Coordinate::X, Coordinate::Y],
+        (Dimension::Length, _) => &[Coordinate::X, Coordinate::Y, Coordinate::Z],
+        (Dimension::Angle, _) => &[Coordinate::Theta],
         _ => &[],
     };
     let points = (0u8..).zip(domain.points());
@@ -382,17 +382,38 @@ fn coordinates<'d>(
     })
 }
 
+/// Angles at a vertex between the directions to two other points, of the sample or not:
+/// where nothing has a heading, they are the angles that there are. Key points are left
+/// out, because they lie in the directions of their objects.
+fn vertex_angles<'d>(domain: &'d Domain<'_>, sampled: bool) -> impl Iterator<Item = Node> + 'd {
+    let headed = domain.has_headings();
+    let all = (0u8..).zip(domain.points()).filter(move |_| !headed);
+    let points = all.filter(|(_, p)| p.is_object() || p.sampled);
+    let vertices = points.clone();
+    vertices.flat_map(move |(vertex, at)| {
+        let ends = points.clone().filter(move |(index, _)| *index != vertex);
+        ends.clone().flat_map(move |(a, first)| {
+            let others = ends.clone().take_while(move |(index, _)| *index < a);
+            let wanted = move |second: &Point<'_>| {
+                (at.sampled || first.sampled || second.sampled) == sampled
+            };
+            let others = others.filter(move |(_, second)| wanted(second));
+            others.map(move |(b, _)| Node::VertexAngle(a, vertex, b))
+        })
+    })
+}
+
 /// Distances, angle differences and areas, of the sample or not.
 fn relations<'d>(
     domain: &'d Domain<'_>,
     dimension: Dimension,
     sampled: bool,
 ) -> impl Iterator<Item = Node> + 'd {
-    let metrics: &[Metric] = match dimension {
-        Dimension::Length if domain.is_spatial() => {
-            &[Metric::X, Metric::Y, Metric::Z, Metric::Straight]
-        }
-        Dimension::Length => &[Metric::X, Metric::Y, Metric::Straight],
+    let metrics: &[Metric] = match (dimension, domain.axes()) {
+        // On a line there is one way to measure.
+        (Dimension::Length, 1) => &[Metric::Straight],
+        (Dimension::Length, 2) => &[Metric::X, Metric::Y, Metric::Straight],
+        (Dimension::Length, _) => &[Metric::X, Metric::Y, Metric::Z, Metric::Straight],
         _ => &[],
     };
     let angles = dimension == Dimension::Angle;
@@ -421,6 +442,7 @@ fn relations<'d>(
         let turned = angles && first.has_heading() && second.has_heading();
         distances.chain(turned.then_some(Node::Angle(a, b)))
     });
+    let nodes = nodes.chain(vertex_angles(domain, sampled).filter(move |_| angles));
     let said = nodes.flat_map(|term| said(domain, term));
     said.chain((0u8..).take(shapes).map(Node::Area))
 }

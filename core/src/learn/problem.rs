@@ -2,6 +2,7 @@
 
 use crate::domain::{CHECKSUM, Domain};
 use crate::error::Error;
+use crate::region::Theta;
 
 /// A domain and the problem instances P in which samples are tried (thesis 4.3).
 #[derive(Clone, Copy, Debug)]
@@ -9,6 +10,7 @@ pub struct Problem<'p> {
     domain: &'p Domain<'p>,
     instances: &'p [f64],
     count: usize,
+    proposals: &'p [Theta],
     fingerprint: u32,
 }
 
@@ -40,8 +42,44 @@ impl<'p> Problem<'p> {
             domain,
             instances,
             count,
+            proposals: &[],
             fingerprint: digest.finalize(),
         })
+    }
+
+    /// The same problem, with parameters for each instance that are worth a look: those
+    /// that one would try who has not learned anything. Where few parameters work they
+    /// are not found otherwise.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] if there is not one for each instance, and those of
+    /// [`Domain::check_parameters`].
+    pub fn with_proposals(self, proposals: &'p [Theta]) -> Result<Self, Error> {
+        if proposals.len() != self.count {
+            return Err(Error::InvalidArgument(
+                "there is one proposal for each instance",
+            ));
+        }
+        let mut digest = CHECKSUM.digest();
+        digest.update(&self.fingerprint.to_le_bytes());
+        let own = self.domain.parameters().len();
+        for proposal in proposals {
+            let values = proposal.get(..own).unwrap_or_default();
+            self.domain.check_parameters(values)?;
+            for value in values {
+                digest.update(&value.to_bits().to_le_bytes());
+            }
+        }
+        Ok(Problem {
+            proposals,
+            fingerprint: digest.finalize(),
+            ..self
+        })
+    }
+
+    /// What is worth a look in an instance, if that was said.
+    pub fn proposal(&self, instance: usize) -> Option<&'p Theta> {
+        self.proposals.get(instance)
     }
 
     /// The domain.

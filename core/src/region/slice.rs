@@ -232,6 +232,9 @@ fn middle<R: Real>(a: R, b: R) -> R {
 /// Where a curve may be zero: `line(t) = -factor * |vector(t)|`. A root of the
 /// squared equation need not be one of the curve.
 fn roots<R: Real>(curve: &Curve<R>) -> [Option<R>; 2] {
+    let Some(curve) = curve.without_angle() else {
+        return [None, None];
+    };
     let Line { at: a, slope: b } = curve.line;
     if curve.factor == R::ZERO {
         return [linear_root(a, b), None];

@@ -28,9 +28,19 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    if let Some(seeds) = table_seeds() {
+    if let Some(seeds) = seeds_of("table", 10) {
         report::table(seeds);
         return ExitCode::SUCCESS;
+    }
+    if let Some(seeds) = seeds_of("domains", 3) {
+        report::domains(&report::DOMAINS, seeds);
+        return ExitCode::SUCCESS;
+    }
+    for name in report::DOMAINS {
+        if let Some(seeds) = seeds_of(name, 3) {
+            report::domains(&[name], seeds);
+            return ExitCode::SUCCESS;
+        }
     }
     match options() {
         Some(options) => {
@@ -44,13 +54,13 @@ fn main() -> ExitCode {
     }
 }
 
-/// The seeds of the table, if that is asked for.
-fn table_seeds() -> Option<u64> {
+/// The seeds of a report about planning, if it is asked for.
+fn seeds_of(name: &str, default: u64) -> Option<u64> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match arguments[..] {
-        ["table"] => Some(10),
-        ["table", "--seeds", seeds] => seeds.parse().ok(),
+        [own] if own == name => Some(default),
+        [own, "--seeds", seeds] if own == name => seeds.parse().ok(),
         _ => None,
     }
 }

@@ -77,14 +77,14 @@ pub fn runs() -> impl Iterator<Item = Run> {
 pub fn measure() -> Measured {
     let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
     let training = Training::default();
-    let mut skill_room = SkillRoom::default();
-    let mut skills = skill_room.lend();
+    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let mut skills = skill_room.lend(&ENVIRONMENT);
     let mut training_room = TrainingRoom::new(&training);
     let costs = learn(&mut skills, SEED, &training, &mut training_room).expect("enough room");
     let mut room = Room::new(10_000);
     let (mut original, mut learned) = (vec![], vec![]);
     for run in runs() {
-        let grounding = Grounding::new(&run.task).expect("few buttons");
+        let grounding = Grounding::new(&ENVIRONMENT, &run.task).expect("few buttons");
         let simulated = grounding.simulated();
         let informed = Informed::new(&ENVIRONMENT, &skills, &run.task.initial);
         let mut plan = Planning {
@@ -112,7 +112,7 @@ struct Cost {
 
 /// A task to plan.
 struct Planning<'t> {
-    grounding: &'t Grounding,
+    grounding: &'t Grounding<'t, StickButton>,
     initial: &'t State,
     generator: &'t Pcg64,
     room: &'t mut Room,

@@ -1,4 +1,4 @@
-//! Planning in the stick-button environment, for host programs.
+//! Planning in environments, for host programs.
 
 pub mod ideal;
 pub mod lower_half;
@@ -12,11 +12,10 @@ use critreg::plan::{
     Step, Waiting,
 };
 
-use crate::pick::ENVIRONMENT;
-use critreg::env::stick_button::StickButton;
-
 /// Most ground operators: those of ten buttons.
 pub const MAX_OPERATORS: usize = 256;
+/// Most operators of an environment.
+const LIFTED: usize = 16;
 /// Links between atoms and operators: at most four preconditions and effects each.
 const LINKS: usize = 4 * MAX_OPERATORS;
 /// Abstract states whose estimate is remembered.
@@ -35,7 +34,7 @@ pub struct Room {
 }
 
 impl Room {
-    /// Memory for so many nodes, and for skeletons of up to 16 operators.
+    /// Memory for so many nodes, and for skeletons of up to 32 operators.
     pub fn new(nodes: usize) -> Room {
         Room {
             progress: vec![Progress::default(); MAX_OPERATORS],
@@ -43,8 +42,8 @@ impl Room {
             cache: vec![Cached::default(); CACHE],
             nodes: vec![SearchNode::default(); nodes],
             open: vec![Waiting::default(); nodes],
-            steps: vec![Step::default(); 16],
-            failures: vec![0; ENVIRONMENT.operators().len()],
+            steps: vec![Step::default(); 32],
+            failures: vec![0; LIFTED],
             reasons: vec![0; MAX_OPERATORS],
         }
     }
@@ -69,7 +68,8 @@ impl Room {
 }
 
 /// A task with all that a planner needs to know of it in the abstract.
-pub struct Grounding {
+pub struct Grounding<'e, E> {
+    environment: &'e E,
     /// The atoms over its objects.
     pub atoms: Atoms,
     /// The ground operators.
@@ -78,19 +78,20 @@ pub struct Grounding {
     goal: AtomSet,
 }
 
-impl Grounding {
-    /// Of a task of the environment.
+impl<'e, E: Environment> Grounding<'e, E> {
+    /// Of a task of an environment.
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`] with more than ten buttons.
-    pub fn new(task: &Task) -> Result<Grounding, Error> {
-        let atoms = Atoms::new(&ENVIRONMENT, &task.initial)?;
+    /// [`Error::CapacityExceeded`] with too many objects.
+    pub fn new(environment: &'e E, task: &Task) -> Result<Self, Error> {
+        let atoms = Atoms::new(environment, &task.initial)?;
         let mut operators = heapless::Vec::new();
-        let lifted = ENVIRONMENT.operators();
+        let lifted = environment.operators();
         ground_operators(lifted, &task.initial, &atoms, &mut operators)?;
         Ok(Grounding {
+            environment,
             operators,
-            initial: atoms.abstract_state(&ENVIRONMENT, &task.initial),
+            initial: atoms.abstract_state(environment, &task.initial),
             goal: atoms.set(task.goal.iter().copied())?,
             atoms,
         })
@@ -105,10 +106,15 @@ impl Grounding {
         }
     }
 
+    /// The environment.
+    pub fn environment(&self) -> &'e E {
+        self.environment
+    }
+
     /// The environment with the task's atoms: world and original sampler.
-    pub fn simulated(&self) -> Simulated<'_, StickButton> {
+    pub fn simulated(&self) -> Simulated<'_, E> {
         Simulated {
-            environment: &ENVIRONMENT,
+            environment: self.environment,
             atoms: &self.atoms,
         }
     }

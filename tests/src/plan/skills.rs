@@ -1,15 +1,16 @@
-//! Learning the skills of the stick-button environment, for host programs.
+//! Learning the skills of an environment, for host programs.
 
 use super::{MAX_OPERATORS, Room};
 use crate::pick::ENVIRONMENT;
 use crate::report::VersionSpaceRoom;
 use critreg::Error;
-use critreg::domain::{Environment, GroundOperator, Task};
+use critreg::domain::{GroundOperator, Task};
 use critreg::learn::version_space::Capacity;
 use critreg::plan::skill::{
-    Changes, Describe, Learned, Setting, Skill, Skills, Training, TrainingMemory,
+    Candidate, Changes, Describe, Learned, Setting, Skill, Skills, Training, TrainingMemory,
 };
 use critreg::random::generator;
+use critreg::region::Theta;
 use std::ops::RangeInclusive;
 
 /// The memory of skills.
@@ -18,20 +19,19 @@ pub struct SkillRoom {
     changes: Vec<Changes>,
 }
 
-impl Default for SkillRoom {
-    fn default() -> Self {
-        let count = ENVIRONMENT.descriptions().len();
+impl SkillRoom {
+    /// Room for the skills of an environment.
+    pub fn new(environment: &impl Describe) -> Self {
+        let count = environment.descriptions().len();
         SkillRoom {
             skills: (0..count).map(|_| None).collect(),
-            changes: vec![Changes::default(); ENVIRONMENT.controllers().len()],
+            changes: vec![Changes::default(); environment.controllers().len()],
         }
     }
-}
 
-impl SkillRoom {
     /// Skills of which nothing is known yet.
-    pub fn lend(&mut self) -> Skills<'_> {
-        Skills::new(&ENVIRONMENT, &mut self.skills, &mut self.changes)
+    pub fn lend(&mut self, environment: &impl Describe) -> Skills<'_> {
+        Skills::new(environment, &mut self.skills, &mut self.changes)
             .expect("the descriptions are valid")
     }
 }
@@ -40,6 +40,8 @@ impl SkillRoom {
 pub struct TrainingRoom {
     capacity: Capacity,
     settings: Vec<Option<Setting>>,
+    candidates: Vec<Candidate>,
+    proposals: Vec<Theta>,
     instances: Vec<f64>,
     operators: heapless::Vec<GroundOperator, MAX_OPERATORS>,
     planner: Room,
@@ -51,7 +53,8 @@ impl TrainingRoom {
     /// parameters.
     pub fn new(training: &Training) -> TrainingRoom {
         let instances = training.instances.max(training.states);
-        let calls = 2 * training.learner.calls as usize;
+        let calls = training.learner.calls.max(training.chained) as usize;
+        let candidates = 4 * instances;
         let capacity = Capacity {
             forms: 12_000,
             tracked: usize::MAX,
@@ -61,8 +64,10 @@ impl TrainingRoom {
         };
         TrainingRoom {
             capacity,
-            settings: (0..instances).map(|_| None).collect(),
-            instances: vec![0.0; 64 * instances],
+            settings: (0..2 * instances).map(|_| None).collect(),
+            candidates: vec![Candidate::default(); candidates],
+            proposals: vec![Theta::default(); candidates],
+            instances: vec![0.0; 64 * candidates],
             operators: heapless::Vec::new(),
             planner: Room::new(1000),
             learner: VersionSpaceRoom::new(capacity),
@@ -73,6 +78,8 @@ impl TrainingRoom {
     pub fn lend(&mut self) -> TrainingMemory<'_> {
         TrainingMemory {
             settings: &mut self.settings,
+            candidates: &mut self.candidates,
+            proposals: &mut self.proposals,
             instances: &mut self.instances,
             operators: &mut self.operators,
             planner: self.planner.lend(),
@@ -82,7 +89,7 @@ impl TrainingRoom {
     }
 }
 
-/// Random tasks.
+/// Random tasks of the stick-button environment.
 pub fn tasks(seed: u64, buttons: RangeInclusive<usize>, count: usize) -> Vec<Task> {
     let mut rng = generator(seed);
     let task = |_| {
@@ -105,6 +112,21 @@ pub fn learn(
     room: &mut TrainingRoom,
 ) -> Result<Vec<Learned>, Error> {
     let tasks = tasks(seed ^ 0x7EA1_0000_0000, 1..=2, training.states);
+    learn_from(&ENVIRONMENT, skills, &tasks, seed, training, room)
+}
+
+/// Learns all skills of an environment from training tasks.
+///
+/// # Errors
+/// Those of [`Skills::learn`].
+pub fn learn_from<E: Describe>(
+    environment: &E,
+    skills: &mut Skills<'_>,
+    tasks: &[Task],
+    seed: u64,
+    training: &Training,
+    room: &mut TrainingRoom,
+) -> Result<Vec<Learned>, Error> {
     let training = Training {
         learner: critreg::learn::version_space::Config {
             seed,
@@ -112,7 +134,7 @@ pub fn learn(
         },
         ..*training
     };
-    let all = 0..ENVIRONMENT.descriptions().len();
-    all.map(|index| skills.learn(index, &ENVIRONMENT, &tasks, &training, room.lend()))
+    let all = 0..environment.descriptions().len();
+    all.map(|index| skills.learn(index, environment, tasks, &training, room.lend()))
         .collect()
 }

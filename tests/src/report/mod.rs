@@ -1,6 +1,8 @@
 //! How often the learners find the true region, measured by the simulator.
 
+mod domains;
 mod judge;
+mod judged;
 mod room;
 mod row;
 mod scenario;
@@ -9,6 +11,7 @@ mod statistics;
 mod synthetic;
 mod table;
 
+pub use domains::{NAMES as DOMAINS, print as domains};
 pub use judge::{Score, Truth};
 pub use room::VersionSpaceRoom;
 pub use scenario::{Scenario, angles, chain, noise, pick};

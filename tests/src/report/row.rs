@@ -1,25 +1,11 @@
 //! A row of the table: what planning took.
 
-use crate::pick::ENVIRONMENT;
-use crate::plan::lower_half::LowerHalf;
 use crate::plan::{Grounding, Room};
-use critreg::domain::{State, Task};
-use critreg::env::stick_button::StickButton;
-use critreg::plan::skill::{Informed, Skills};
+use critreg::domain::{Environment, State, Task};
+use critreg::plan::skill::{Describe, Informed, Skills};
 use critreg::plan::{Conclusion, Config, Guide, Planned, Planner, Sampler, Simulated, Unguided};
 use rand_core::Rng;
 use std::time::Instant;
-
-/// What is known when a task is planned.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Known<'a> {
-    /// Nothing: the original sampler.
-    Nothing,
-    /// The region of the thesis.
-    LowerHalf,
-    /// Learned regions.
-    Skills(&'a Skills<'a>),
-}
 
 /// Sums over planned tasks.
 #[derive(Clone, Debug, Default)]
@@ -53,35 +39,66 @@ impl Row {
         }
     }
 
-    /// Plans a task. Lots and samples are the numbers that `numbers` begins, with each
-    /// skeleton again.
+    /// Plans a task with the original sampler; see [`Row::plan`].
     ///
     /// # Panics
-    /// If planning fails with an error.
-    pub(super) fn plan<R: Rng + Clone>(
+    /// As [`Row::plan`].
+    pub(super) fn plan_originally<E: Environment, R: Rng + Clone>(
         &mut self,
-        task: &Task,
-        known: Known<'_>,
+        (environment, task): (&E, &Task),
         numbers: impl Fn() -> R,
         room: &mut Room,
     ) {
         let started = Instant::now();
-        let grounding = Grounding::new(task).expect("room for the task");
-        let world = grounding.simulated();
-        let problem = (task, &grounding);
-        let planned = match known {
-            Known::Nothing => plan(problem, (world, Unguided), numbers, room),
-            Known::LowerHalf => plan(problem, (LowerHalf(world), Unguided), numbers, room),
-            Known::Skills(skills) => {
-                let informed = Informed::new(&ENVIRONMENT, skills, &task.initial);
-                plan(problem, (informed, informed), numbers, room)
-            }
-        };
+        let grounding = ground(environment, task);
+        let advice = (grounding.simulated(), Unguided);
+        self.plan((&grounding, task), advice, numbers, room);
         self.seconds += started.elapsed().as_secs_f64();
-        self.add(task, &planned);
     }
 
-    fn add(&mut self, task: &Task, planned: &Planned<'_, State>) {
+    /// Plans a task with skills; see [`Row::plan`].
+    ///
+    /// # Panics
+    /// As [`Row::plan`].
+    pub(super) fn plan_with_skills<E: Describe, R: Rng + Clone>(
+        &mut self,
+        (environment, task): (&E, &Task),
+        skills: &Skills<'_>,
+        numbers: impl Fn() -> R,
+        room: &mut Room,
+    ) {
+        let started = Instant::now();
+        let grounding = ground(environment, task);
+        let informed = Informed::new(environment, skills, &task.initial);
+        self.plan((&grounding, task), (informed, informed), numbers, room);
+        self.seconds += started.elapsed().as_secs_f64();
+    }
+
+    /// Plans a task. Lots and samples are the numbers that `numbers` begins, with each
+    /// skeleton again.
+    ///
+    /// # Panics
+    /// If planning fails with an error, or with a plan that does not work.
+    pub(super) fn plan<'m, E: Environment, R: Rng + Clone>(
+        &mut self,
+        (grounding, task): (&'m Grounding<'_, E>, &Task),
+        (mut sampler, mut guide): (impl Sampler<Simulated<'m, E>>, impl Guide),
+        numbers: impl Fn() -> R,
+        room: &mut Room,
+    ) {
+        let mut planner = Planner {
+            world: &mut grounding.simulated(),
+            sampler: &mut sampler,
+            guide: &mut guide,
+            config: Config::default(),
+        };
+        let (abstracted, initial) = (grounding.task(), &task.initial);
+        let planned = planner.plan(abstracted, initial, numbers(), &numbers, room.lend());
+        let planned = planned.expect("the environment does not fail");
+        self.add(grounding.environment(), task, &planned);
+    }
+
+    fn add<E: Environment>(&mut self, environment: &E, task: &Task, planned: &Planned<'_, State>) {
         self.tasks += 1;
         let metrics = &planned.metrics;
         self.began_anew += u32::from(metrics.advised.is_some());
@@ -90,7 +107,7 @@ impl Row {
                 .steps
                 .last()
                 .map_or(&task.initial, |step| &step.state);
-            assert!(task.is_solved(&ENVIRONMENT, end), "the plan does not work");
+            assert!(task.is_solved(environment, end), "the plan does not work");
             self.solved += 1;
             self.samples += u64::from(metrics.samples);
             self.samples_max = self.samples_max.max(metrics.samples);
@@ -140,19 +157,10 @@ impl Row {
     }
 }
 
-fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide, R: Rng + Clone>(
-    (task, grounding): (&Task, &'m Grounding),
-    (mut sampler, mut guide): (S, G),
-    numbers: impl Fn() -> R,
-    room: &'m mut Room,
-) -> Planned<'m, State> {
-    let mut planner = Planner {
-        world: &mut grounding.simulated(),
-        sampler: &mut sampler,
-        guide: &mut guide,
-        config: Config::default(),
-    };
-    let (abstracted, initial) = (grounding.task(), &task.initial);
-    let planned = planner.plan(abstracted, initial, numbers(), &numbers, room.lend());
-    planned.expect("the environment does not fail")
+/// A task with its atoms and operators.
+///
+/// # Panics
+/// If they find no room.
+pub(super) fn ground<'e, E: Environment>(environment: &'e E, task: &Task) -> Grounding<'e, E> {
+    Grounding::new(environment, task).expect("room for the task")
 }

@@ -1,14 +1,16 @@
 //! The thesis's Table 6.1 and what learned regions make of it.
 
-use super::row::{Known, Row};
+use super::row::{Row, ground};
 use crate::pick::{self, ENVIRONMENT};
 use crate::plan::Room;
+use crate::plan::lower_half::LowerHalf;
 use crate::plan::record::{self, Run};
 use crate::plan::skills::{self, SkillRoom, TrainingRoom};
 use crate::{data, room};
 use critreg::domain::{State, Task};
 use critreg::env::stick_button::{PICK_STICK, ROBOT, STICK};
 use critreg::learn::{Algorithm1, Answer, Problem, learn_region};
+use critreg::plan::Unguided;
 use critreg::plan::skill::{Describe, Skills, Training};
 use critreg::random::generator;
 use critreg::region::Region;
@@ -58,8 +60,10 @@ fn replayed() {
     for run in record::runs().filter(is_its) {
         let numbers = || generators[run.planner_seed as usize].clone();
         let [original, lower] = &mut rows;
-        original.plan(&run.task, Known::Nothing, numbers, &mut room);
-        lower.plan(&run.task, Known::LowerHalf, numbers, &mut room);
+        original.plan_originally((&ENVIRONMENT, &run.task), numbers, &mut room);
+        let grounding = ground(&ENVIRONMENT, &run.task);
+        let advice = (LowerHalf(grounding.simulated()), Unguided);
+        lower.plan((&grounding, &run.task), advice, numbers, &mut room);
     }
     rows.iter().for_each(Row::print);
 }
@@ -67,7 +71,7 @@ fn replayed() {
 /// Plans with skills; lots and samples are those of the task's place.
 fn plan(row: &mut Row, tests: &[Task], skills: &Skills<'_>, room: &mut Room) {
     for (index, task) in (1..).zip(tests) {
-        row.plan(task, Known::Skills(skills), || generator(index), room);
+        row.plan_with_skills((&ENVIRONMENT, task), skills, || generator(index), room);
     }
 }
 
@@ -78,8 +82,8 @@ fn algorithm1() {
     let mut room = Room::new(NODES);
     let mut row = Row::new("seed 0, 1 button", "learned by algorithm1");
     for seed in FIRST_SEED..FIRST_SEED + ALGORITHM1_SEEDS {
-        let mut skill_room = SkillRoom::default();
-        let mut skills = skill_room.lend();
+        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+        let mut skills = skill_room.lend(&ENVIRONMENT);
         match grasps(&skills, seed) {
             Ok(region) => {
                 row.regions += 1;
@@ -95,7 +99,7 @@ fn algorithm1() {
     }
     let mut original = Row::new("seed 0, 1 button", "original");
     for (index, task) in (1..).zip(&tests) {
-        original.plan(task, Known::Nothing, || generator(index), &mut room);
+        original.plan_originally((&ENVIRONMENT, task), || generator(index), &mut room);
     }
     original.print();
     row.learners = ALGORITHM1_SEEDS as u32;
@@ -105,7 +109,10 @@ fn algorithm1() {
 
 /// The region of PickStick by Algorithm 1, with the thesis's set-up and four instances.
 fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
-    let skill = skills.find(PICK_STICK, None).expect("it is described");
+    let skill = skills
+        .about(PICK_STICK, None)
+        .next()
+        .expect("it is described");
     let states: Vec<State> = skills::tasks(seed, 1..=1, 4)
         .into_iter()
         .map(|t| t.initial)
@@ -113,9 +120,7 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
     let length = skill.binding().len();
     let mut instances = vec![0.0; states.len() * length];
     for (state, numbers) in states.iter().zip(instances.chunks_exact_mut(length)) {
-        skill
-            .binding()
-            .instance(state, &[ROBOT, STICK], &[], numbers)?;
+        skill.binding().instance(&pick::scope(state), numbers)?;
     }
     let problem = Problem::new(skill.domain(), &instances, states.len())?;
     let mut room = room::Room::new(20_000, 102);
@@ -148,8 +153,8 @@ fn version_space(seeds: u64) {
     let training = Training::default();
     let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training));
     for seed in 0..seeds {
-        let mut skill_room = SkillRoom::default();
-        let mut skills = skill_room.lend();
+        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+        let mut skills = skill_room.lend(&ENVIRONMENT);
         let learned = skills::learn(
             &mut skills,
             FIRST_SEED + seed,
@@ -167,7 +172,7 @@ fn version_space(seeds: u64) {
             let tests = tests(buttons, seed);
             for (index, task) in (1..).zip(&tests) {
                 let numbers = || generator(index);
-                original.plan(task, Known::Nothing, numbers, &mut room);
+                original.plan_originally((&ENVIRONMENT, task), numbers, &mut room);
             }
             plan(row, &tests, &skills, &mut room);
             row.learners += 1;

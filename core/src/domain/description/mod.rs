@@ -270,6 +270,7 @@ impl<'t> DomainParser<'_, 't> {
                 Node::Coordinate(..)
                     | Node::Distance(..)
                     | Node::Angle(..)
+                    | Node::VertexAngle(..)
                     | Node::Area(_)
                     | Node::Extreme(..)
             )

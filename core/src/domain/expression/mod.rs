@@ -62,6 +62,9 @@ pub enum Node {
     Distance(Metric, u8, u8),
     /// The angle between the x axes of two points, in `[0, pi]`.
     Angle(u8, u8),
+    /// The angle at the second point between the directions to the first and to the
+    /// third, in `[0, pi]`; zero where one of them is the second point itself.
+    VertexAngle(u8, u8, u8),
     /// The area of a shape.
     Area(u8),
     /// The least or greatest value over the members of a group that an instance
@@ -148,7 +151,9 @@ impl Domain<'_> {
             Node::Constant(i) => self.constants().get(usize::from(i)).map(|c| c.dimension),
             Node::Attribute(i) => self.slots().nth(usize::from(i)).map(|(_, a)| a.dimension),
             Node::Parameter(i) => self.parameters().get(usize::from(i)).map(|p| p.dimension),
-            Node::Coordinate(Coordinate::Theta, _) | Node::Angle(..) => Some(Dimension::Angle),
+            Node::Coordinate(Coordinate::Theta, _) | Node::Angle(..) | Node::VertexAngle(..) => {
+                Some(Dimension::Angle)
+            }
             Node::Coordinate(..) | Node::Distance(..) => Some(Dimension::Length),
             Node::Area(_) => Some(Dimension::Area),
             Node::Extreme(_, relation) => self.dimension(&[relation.term()], NodeId(0)),
@@ -172,6 +177,7 @@ impl Domain<'_> {
             Ok(Node::Parameter(_)) => Dependence::Sample,
             Ok(Node::Coordinate(_, p)) => point(p),
             Ok(Node::Distance(_, a, b) | Node::Angle(a, b)) => point(a).max(point(b)),
+            Ok(Node::VertexAngle(a, b, c)) => point(a).max(point(b)).max(point(c)),
             Ok(Node::Extreme(_, relation)) => self.dependence(&[relation.term()], NodeId(0)),
             Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
                 self.dependence(nodes, a).max(self.dependence(nodes, b))
@@ -207,7 +213,7 @@ impl Domain<'_> {
 
     /// Reads an expression from a text: sums, differences and products of
     /// numbers, constants, attributes, parameters, coordinates of points,
-    /// `dist(a, b)`, `dist_x`, `dist_y`, `dist_z`, `angle(a, b)` and `area(o)`, and
+    /// `dist(a, b)`, `dist_x`, `dist_y`, `dist_z`, `angle(a, b)`, `angle(a, b, c)` and `area(o)`, and
     /// `min(...)` or `max(...)` of one of these that is about the members of a group.
     ///
     /// # Errors
@@ -327,9 +333,10 @@ impl Domain<'_> {
                     Metric::Z => "dist_z",
                     Metric::Straight => "dist",
                 };
-                self.write_pair(out, name, a, b)
+                self.write_points(out, name, &[a, b])
             }
-            Node::Angle(a, b) => self.write_pair(out, "angle", a, b),
+            Node::Angle(a, b) => self.write_points(out, "angle", &[a, b]),
+            Node::VertexAngle(a, b, c) => self.write_points(out, "angle", &[a, b, c]),
             Node::Area(shape) => {
                 let (object, _) = self.shapes().get(usize::from(shape)).ok_or(fmt::Error)?;
                 let object = self.objects().get(usize::from(*object)).ok_or(fmt::Error)?;
@@ -347,12 +354,14 @@ impl Domain<'_> {
         }
     }
 
-    fn write_pair(&self, out: &mut dyn fmt::Write, name: &str, a: u8, b: u8) -> fmt::Result {
+    fn write_points(&self, out: &mut dyn fmt::Write, name: &str, points: &[u8]) -> fmt::Result {
         out.write_str(name)?;
-        out.write_char('(')?;
-        self.write_point(out, a)?;
-        out.write_str(", ")?;
-        self.write_point(out, b)?;
+        let mut before = "(";
+        for point in points {
+            out.write_str(before)?;
+            self.write_point(out, *point)?;
+            before = ", ";
+        }
         out.write_char(')')
     }
 

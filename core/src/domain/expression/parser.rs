@@ -110,13 +110,16 @@ impl ExpressionParser<'_, '_, '_> {
         let relation = Relation::of(term).ok_or_else(|| {
             at.error("min and max are of an attribute, a coordinate, a distance or an angle")
         })?;
-        match self.domain.members_in(term) {
-            [None, None] => Err(at.error("min and max are over a group, and here is none")),
-            [Some(a), Some(b)] if a.group != b.group => {
-                Err(at.error("min and max are over one group, and here are two"))
-            }
-            _ => Ok(Node::Extreme(extreme, relation)),
+        let members = self.domain.members_in(term);
+        let mut groups = members.iter().flatten().map(|member| member.group);
+        let first = groups.next();
+        if first.is_none() {
+            return Err(at.error("min and max are over a group, and here is none"));
         }
+        if groups.any(|group| Some(group) != first) {
+            return Err(at.error("min and max are over one group, and here are two"));
+        }
+        Ok(Node::Extreme(extreme, relation))
     }
 
     fn term(&self, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
@@ -162,7 +165,13 @@ impl ExpressionParser<'_, '_, '_> {
         let a = self.point(lexer)?;
         lexer.expect(",", "expected `,` and a second point")?;
         let b = self.point(lexer)?;
-        Ok(metric.map_or(Node::Angle(a, b), |m| Node::Distance(m, a, b)))
+        if let Some(metric) = metric {
+            return Ok(Node::Distance(metric, a, b));
+        }
+        if lexer.accept(",") {
+            return Ok(Node::VertexAngle(a, b, self.point(lexer)?));
+        }
+        Ok(Node::Angle(a, b))
     }
 
     fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Error> {

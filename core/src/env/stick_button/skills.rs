@@ -14,21 +14,25 @@ static DESCRIPTIONS: [Description; 4] = [
     Description {
         own: PICK_STICK,
         later: None,
+        among: &[],
         text: text!("skills/pick.txt"),
     },
     Description {
         own: ROBOT_PRESS_BUTTON,
         later: None,
+        among: &[],
         text: text!("skills/press.txt"),
     },
     Description {
         own: PLACE_STICK,
         later: None,
+        among: &[],
         text: text!("skills/place.txt"),
     },
     Description {
         own: PICK_STICK,
         later: Some(STICK_PRESS_BUTTON),
+        among: &[],
         text: text!("skills/reach.txt"),
     },
 ];

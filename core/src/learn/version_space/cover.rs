@@ -375,18 +375,19 @@ impl<R: Real> Cover<R> {
             let (mut best, mut least) = (old, old.bits(forms, &others) + details(&old) - SHORTER);
             forms.for_each_count(step, &alone, |side, count| {
                 let mut new = Chosen::new(Bound::inside(forms, side, step));
-                if count < needed || new.bits(forms, &others) >= least {
+                let shortest = new.bits(forms, &others) - forms.bits_of_threshold();
+                if count < needed || shortest >= least {
                     return;
                 }
                 new.bound.range = range(forms, &side, step);
                 if let Some(fitted) = new.fit(forms, step, &alone, slack) {
                     new = fitted;
                     let mut bits = new.bits(forms, &others);
-                    if bits < least {
+                    if bits - forms.bits_of_threshold() < least {
                         bits += details(&new);
-                    }
-                    if bits < least {
-                        (best, least) = (new, bits);
+                        if bits < least {
+                            (best, least) = (new, bits);
+                        }
                     }
                 }
             });

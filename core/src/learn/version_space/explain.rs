@@ -91,14 +91,24 @@ fn left_side<R: Real>(
     }
 }
 
-/// The threshold of a bound: a named one if only one simplest name fits between its
-/// ends, else inside of the gap; and a name that fits.
+/// Whether the threshold of a bound may be zero: then it says no more than which of two
+/// features is greater, or the sign of one.
+fn is_sign<R: Real>(bound: &Bound<R>) -> bool {
+    let rounding = tolerance(bound.inner);
+    bound.inner <= rounding && rounding < bound.outer
+}
+
+/// The threshold of a bound: zero if that fits between its ends, a named one if only one
+/// simplest name fits, else inside of the gap; and a name that fits.
 fn threshold<R: Real>(
     domain: &Domain<'_>,
     forms: &Forms<'_, R>,
     bound: &Bound<R>,
 ) -> (f64, Option<Named>) {
     let outward = |value: R| bound.side.outward(value).to_f64();
+    if is_sign(bound) {
+        return (outward(bound.inner.max(R::ZERO)), None);
+    }
     match name(domain, forms, bound) {
         Some(mut named) if named.alone => {
             if !is_one_constant(&named) {
@@ -168,12 +178,16 @@ pub(super) fn details<R: Real>(
 ) -> f64 {
     let details = chosen.bounds().map(|bound| {
         let close = bound.range * R::from_f64(CLOSE);
+        let unnamed = 3 + MAX_COMPLEXITY;
+        if is_sign(bound) {
+            // There is no threshold to describe.
+            return 1.0 - forms.bits_of_threshold();
+        }
         let named = if bound.outer - bound.inner <= close {
             name(domain, forms, bound).filter(|named| named.alone)
         } else {
             None
         };
-        let unnamed = 3 + MAX_COMPLEXITY;
         let complexity = named.map_or(unnamed, |named| named.complexity);
         let corner = if speaks_of_corner(domain, forms, bound) {
             PRICE_OF_CORNERS

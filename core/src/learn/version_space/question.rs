@@ -25,6 +25,9 @@ use rand_core::Rng;
 const GROUPS: usize = 12;
 const EACH: usize = 8;
 
+/// How often the distance to a proposal is halved.
+const SCALES: f64 = 12.0;
+
 /// Tries to find a sample at a certain value of a form.
 const TRIES: usize = 32;
 /// How often the way to it is halved.
@@ -40,20 +43,28 @@ pub(super) struct Choice<'c, 'm, R> {
     pub(super) observations: &'c [Observation],
 }
 
-/// Uniform in the parameter space.
+/// Anywhere in the parameter space of some instance.
 pub(super) fn anywhere(problem: &Problem<'_>, rng: &mut Generator) -> Query {
+    let instance = below(rng, problem.count());
     Query {
-        instance: below(rng, problem.count()),
-        theta: any_theta(problem, rng),
+        instance,
+        theta: any_theta(problem, instance, rng),
     }
 }
 
-fn any_theta(problem: &Problem<'_>, rng: &mut Generator) -> Theta {
+/// Uniform in the parameter space. Where something is proposed, every other time close
+/// to that, at any scale: a region that is a hundredth of the space is found there.
+fn any_theta(problem: &Problem<'_>, instance: usize, rng: &mut Generator) -> Theta {
     let mut theta = [0.0; MAX_PARAMETERS];
     for (value, p) in theta.iter_mut().zip(problem.domain().parameters()) {
         *value = uniform_in(rng, p.low, p.high);
     }
-    theta
+    match problem.proposal(instance) {
+        Some(proposal) if rng.next_u32() & 1 == 0 => {
+            between(proposal, &theta, libm::exp2(-SCALES * uniform(rng)))
+        }
+        _ => theta,
+    }
 }
 
 fn between(a: &Theta, b: &Theta, share: f64) -> Theta {
@@ -102,7 +113,7 @@ impl<R: Real> Choice<'_, '_, R> {
             scene.settle()?;
             for candidate in 0..EACH {
                 let theta = if candidate % 2 == 0 {
-                    any_theta(problem, rng)
+                    any_theta(problem, instance, rng)
                 } else {
                     self.between_samples(problem, instance, rng)
                 };
@@ -243,7 +254,7 @@ impl<R: Real> Choice<'_, '_, R> {
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
             scene.settle()?;
             for _ in 0..EACH {
-                let theta = any_theta(problem, rng);
+                let theta = any_theta(problem, instance, rng);
                 let lefts = self.forms.evaluate(&scene, &theta);
                 let admitted = || self.best_chosen().all(|c| self.admits(c, instance, &lefts));
                 if !everywhere && !admitted() {
@@ -308,7 +319,10 @@ impl<R: Real> Choice<'_, '_, R> {
                 let lefts = self.forms.evaluate(&scene, theta);
                 self.forms.value(&bound.side, instance, &lefts) > value
             };
-            let (mut inside, mut outside) = (any_theta(problem, rng), any_theta(problem, rng));
+            let (mut inside, mut outside) = (
+                any_theta(problem, instance, rng),
+                any_theta(problem, instance, rng),
+            );
             match (beyond(&inside), beyond(&outside)) {
                 (true, false) => core::mem::swap(&mut inside, &mut outside),
                 (false, true) => {}
@@ -354,7 +368,7 @@ impl<R: Real> Choice<'_, '_, R> {
             };
             after.iter().chain(before).find(own)
         };
-        let mut theta = any_theta(problem, rng);
+        let mut theta = any_theta(problem, instance, rng);
         if let (Some(a), Some(b)) = (find(true), find(false)) {
             theta = between(&a.theta, &b.theta, uniform(rng));
         }

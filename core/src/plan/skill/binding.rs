@@ -1,6 +1,7 @@
 //! Roles: from a state and ground operators to an instance of a domain text.
 
-use crate::domain::{Domain, MAX_STATE_VALUES, ObjectId, ObjectType, State, TypeId};
+use super::scope::Scope;
+use crate::domain::{Domain, Environment, MAX_STATE_VALUES, ObjectId, ObjectType, TypeId};
 use crate::error::Error;
 use heapless::Vec;
 
@@ -13,8 +14,12 @@ enum Holder {
     Later(usize),
     /// The only object of a type.
     Only(TypeId),
-    /// One of all objects of a type, from zero; nobody if they are fewer.
+    /// The only object of a type that is none of the controllers'.
+    Other(TypeId),
+    /// One of all objects of a type that count, from zero; nobody if they are fewer.
     Member(TypeId, usize),
+    /// Likewise of those that are none of the controllers'.
+    OtherMember(TypeId, usize),
 }
 
 /// Where a number of an instance comes from.
@@ -32,9 +37,13 @@ struct Source {
 /// | `button` | the controller's object of the type `button`; if it has none, that of the later one; else the only object of that type in the state |
 /// | `button2` | likewise the second object of the type |
 /// | `later_button` | the later controller's object, even if the own one has one, too |
+/// | `other_button` | the only object of the type that is none of the controllers' |
 /// | `button[4]` | a group: all objects of the type |
+/// | `other_button[4]` | a group: those that are none of the controllers' |
 ///
-/// The attributes of a role are among those of the type, by their names.
+/// The attributes of a role are among those of the type, by their names. Which objects
+/// count as members of groups can be narrowed by predicates:
+/// [`Description::among`](super::Description::among).
 #[derive(Clone, Debug)]
 pub struct Binding {
     sources: Vec<Source, MAX_STATE_VALUES>,
@@ -60,10 +69,7 @@ impl Binding {
             let (kind, named) = Role::read(object.name, types).ok_or(NO_ROLE)?;
             let mut attributes = named.attributes.iter();
             let source = Source {
-                holder: match object.member {
-                    Some(member) => Holder::Member(kind.type_id, usize::from(member.index)),
-                    None => kind.holder(own, later),
-                },
+                holder: kind.holder(object.member.map(|m| m.index.into()), own, later),
                 attribute: attributes.position(|a| a == attribute).ok_or(NO_ROLE)?,
             };
             let pushed = sources.push(source);
@@ -82,25 +88,21 @@ impl Binding {
         self.sources.is_empty()
     }
 
-    /// Writes the instance of a state and the objects of the controllers to `out`, which
-    /// has a place for each number.
+    /// Writes the instance of a scope to `out`, which has a place for each number.
     ///
     /// # Errors
     /// [`Error::Mismatch`] if nobody, or not one object alone, fills a role.
-    pub fn instance(
+    pub fn instance<E: Environment>(
         &self,
-        state: &State,
-        own: &[ObjectId],
-        later: &[ObjectId],
+        scope: &Scope<'_, E>,
         out: &mut [f64],
     ) -> Result<(), Error> {
         const NOBODY: Error = Error::Mismatch("a role is not filled by one object");
         for (source, number) in self.sources.iter().zip(out) {
-            let object = source.object(state, own, later);
-            let member = matches!(source.holder, Holder::Member(..));
-            *number = match object.and_then(|o| state.attributes(o)) {
+            let object = source.object(scope);
+            *number = match object.and_then(|o| scope.state.attributes(o)) {
                 Some(attributes) => *attributes.get(source.attribute).ok_or(NOBODY)?,
-                None if member => f64::NAN,
+                None if source.holder.kind_of_members().is_some() => f64::NAN,
                 None => return Err(NOBODY),
             };
         }
@@ -108,30 +110,47 @@ impl Binding {
     }
 
     /// The object and attribute that a number of an instance is read from.
-    pub(super) fn source(
+    pub(super) fn source<E: Environment>(
         &self,
         slot: usize,
-        state: &State,
-        own: &[ObjectId],
-        later: &[ObjectId],
+        scope: &Scope<'_, E>,
     ) -> Option<(ObjectId, usize)> {
         let source = self.sources.get(slot)?;
-        Some((source.object(state, own, later)?, source.attribute))
+        Some((source.object(scope)?, source.attribute))
+    }
+
+    /// The type of whose objects a number of an instance is one of several.
+    pub(super) fn kind_of_members(&self, slot: usize) -> Option<TypeId> {
+        self.sources.get(slot)?.holder.kind_of_members()
+    }
+}
+
+impl Holder {
+    fn kind_of_members(self) -> Option<TypeId> {
+        match self {
+            Holder::Member(kind, _) | Holder::OtherMember(kind, _) => Some(kind),
+            _ => None,
+        }
     }
 }
 
 impl Source {
-    fn object(&self, state: &State, own: &[ObjectId], later: &[ObjectId]) -> Option<ObjectId> {
+    fn object<E: Environment>(&self, scope: &Scope<'_, E>) -> Option<ObjectId> {
+        let is_other =
+            |object: &ObjectId| !scope.own.contains(object) && !scope.later.contains(object);
         match self.holder {
-            Holder::Own(place) => own.get(place).copied(),
-            Holder::Later(place) => later.get(place).copied(),
-            Holder::Member(kind, index) => state.of_type(kind).nth(index),
-            Holder::Only(kind) => {
-                let mut all = state.of_type(kind);
-                all.next().filter(|_| all.next().is_none())
-            }
+            Holder::Own(place) => scope.own.get(place).copied(),
+            Holder::Later(place) => scope.later.get(place).copied(),
+            Holder::Member(kind, index) => scope.members(kind).nth(index),
+            Holder::OtherMember(kind, index) => scope.members(kind).filter(is_other).nth(index),
+            Holder::Only(kind) => single(scope.state.of_type(kind)),
+            Holder::Other(kind) => single(scope.state.of_type(kind).filter(is_other)),
         }
     }
+}
+
+fn single(mut all: impl Iterator<Item = ObjectId>) -> Option<ObjectId> {
+    all.next().filter(|_| all.next().is_none())
 }
 
 /// What the name of a role says.
@@ -139,15 +158,22 @@ struct Role {
     type_id: TypeId,
     /// Which object of its type, from zero.
     number: usize,
-    later: bool,
+    which: Which,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Which {
+    Any,
+    Later,
+    Other,
 }
 
 impl Role {
     fn read<'t>(name: &str, types: &'t [ObjectType]) -> Option<(Role, &'t ObjectType)> {
-        let (later, plain) = match name.strip_prefix("later_") {
-            Some(rest) => (true, rest),
-            None => (false, name),
-        };
+        let prefixes = [("later_", Which::Later), ("other_", Which::Other)];
+        let prefixed = prefixes.into_iter();
+        let mut prefixed = prefixed.filter_map(|(p, which)| Some((which, name.strip_prefix(p)?)));
+        let (which, plain) = prefixed.next().unwrap_or((Which::Any, name));
         // The whole name may be that of a type that ends with a digit.
         let word = plain.trim_end_matches(|c: char| c.is_ascii_digit());
         [plain, word].into_iter().find_map(|word| {
@@ -161,19 +187,26 @@ impl Role {
             let role = Role {
                 type_id,
                 number: usize::checked_sub(number, 1)?,
-                later,
+                which,
             };
             Some((role, named))
         })
     }
 
-    fn holder(&self, own: &[TypeId], later: &[TypeId]) -> Holder {
+    fn holder(&self, member: Option<usize>, own: &[TypeId], later: &[TypeId]) -> Holder {
+        match (self.which, member) {
+            (Which::Other, Some(index)) => return Holder::OtherMember(self.type_id, index),
+            (Which::Other, None) => return Holder::Other(self.type_id),
+            (_, Some(index)) => return Holder::Member(self.type_id, index),
+            (_, None) => {}
+        }
         let place = |types: &[TypeId]| {
             let all = types.iter().enumerate();
             let mut same = all.filter(|(_, kind)| **kind == self.type_id);
             same.nth(self.number).map(|(place, _)| place)
         };
-        match (place(own).filter(|_| !self.later), place(later)) {
+        let own = place(own).filter(|_| self.which == Which::Any);
+        match (own, place(later)) {
             (Some(place), _) => Holder::Own(place),
             (None, Some(place)) => Holder::Later(place),
             (None, None) => Holder::Only(self.type_id),

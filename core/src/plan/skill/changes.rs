@@ -2,32 +2,57 @@
 
 use crate::domain::{MAX_ARGUMENTS, MAX_TYPES, ObjectId, State};
 
+/// Attributes of an object of which more is known than that they change.
+const TRACKED: usize = 8;
+/// Runs after which what was always the same counts as constant.
+const ENOUGH: u32 = 3;
+
 /// The attributes that a controller changes, as far as was seen: of its own objects by
 /// their places, and of others by their types. One that was never seen may change
-/// anything.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// anything; an attribute of an own object that always had one value afterwards is
+/// expected to have it again.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Changes {
-    seen: bool,
+    runs: u32,
+    own: [Effect; MAX_ARGUMENTS],
     /// A bit for each attribute; the last also for those beyond.
-    own: [u32; MAX_ARGUMENTS],
     others: [u32; MAX_TYPES],
+}
+
+/// What happens to one object.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Effect {
+    /// A bit for each attribute that changes.
+    changed: u32,
+    /// A bit for each attribute that had several values afterwards.
+    varies: u32,
+    /// The last values afterwards.
+    values: [f64; TRACKED],
 }
 
 impl Changes {
     /// Takes in a run of the controller with these objects.
     pub fn observe(&mut self, objects: &[ObjectId], before: &State, after: &State) {
-        self.seen = true;
-        for (object, _) in before.objects() {
+        for (object, kind) in before.objects() {
             let (Some(old), Some(new)) = (before.attributes(object), after.attributes(object))
             else {
                 continue;
             };
-            let changed = (0..).zip(old.iter().zip(new)).filter(|(_, (a, b))| a != b);
-            let bits = changed.fold(0, |bits, (attribute, _)| bits | bit(attribute));
-            if let Some(own) = self.of(objects, before, object) {
-                *own |= bits;
+            let pairs = (0..).zip(old.iter().zip(new));
+            let bits = pairs.filter(|(_, (a, b))| a != b);
+            let bits = bits.fold(0, |bits, (attribute, _)| bits | bit(attribute));
+            let place = objects.iter().position(|own| *own == object);
+            match place.map(|place| self.own.get_mut(place)) {
+                Some(Some(own)) => own.observe(bits, new, self.runs == 0),
+                Some(None) => {}
+                None => {
+                    if let Some(others) = self.others.get_mut(usize::from(kind.0)) {
+                        *others |= bits;
+                    }
+                }
             }
         }
+        self.runs = self.runs.saturating_add(1);
     }
 
     /// Whether a run of the controller with these objects may change an attribute.
@@ -38,15 +63,57 @@ impl Changes {
         object: ObjectId,
         attribute: usize,
     ) -> bool {
-        let changed = self.clone().of(objects, state, object).copied();
-        !self.seen || changed.is_none_or(|bits| bits & bit(attribute) != 0)
+        let kind = state.type_of(object);
+        let changed = match objects.iter().position(|own| *own == object) {
+            Some(place) => self.own.get(place).map(|own| own.changed),
+            None => kind.and_then(|kind| self.others.get(usize::from(kind.0)).copied()),
+        };
+        self.runs == 0 || changed.is_none_or(|bits| bits & bit(attribute) != 0)
     }
 
-    /// The bits of an object's attributes.
-    fn of(&mut self, objects: &[ObjectId], state: &State, object: ObjectId) -> Option<&mut u32> {
-        match objects.iter().position(|own| *own == object) {
-            Some(place) => self.own.get_mut(place),
-            None => self.others.get_mut(usize::from(state.type_of(object)?.0)),
+    /// The value that an attribute of an own object has after every run, as far as was
+    /// seen, if the controller changes it.
+    fn constant(&self, objects: &[ObjectId], object: ObjectId, attribute: usize) -> Option<f64> {
+        let place = objects.iter().position(|own| *own == object)?;
+        let own = self.own.get(place).filter(|_| self.runs >= ENOUGH)?;
+        let value = own.values.get(attribute)?;
+        (own.varies & bit(attribute) == 0).then_some(*value)
+    }
+
+    /// Makes of a state what is expected of it after a run of the controller with these
+    /// objects. What cannot be told is added to `unknown`, a bit per number of the state.
+    pub(super) fn predict(&self, objects: &[ObjectId], state: &mut State, unknown: &mut u64) {
+        let mut number = 0;
+        for index in 0..state.objects().count() {
+            let object = ObjectId(index as u8);
+            for attribute in 0..state.attributes(object).map_or(0, <[f64]>::len) {
+                let bit = 1u64.wrapping_shl(number);
+                number += 1;
+                if !self.affect(objects, state, object, attribute) {
+                    continue;
+                }
+                let constant = self.constant(objects, object, attribute);
+                let place = state.attributes_mut(object);
+                match (constant, place.and_then(|all| all.get_mut(attribute))) {
+                    (Some(value), Some(place)) => {
+                        *place = value;
+                        *unknown &= !bit;
+                    }
+                    _ => *unknown |= bit,
+                }
+            }
+        }
+    }
+}
+
+impl Effect {
+    fn observe(&mut self, changed: u32, after: &[f64], first: bool) {
+        self.changed |= changed;
+        for (attribute, (value, new)) in self.values.iter_mut().zip(after).enumerate() {
+            if !first && *value != *new {
+                self.varies |= bit(attribute);
+            }
+            *value = *new;
         }
     }
 }

@@ -1,23 +1,24 @@
 //! Planning with regions.
 
 use super::tail::Tail;
-use super::{Describe, Skill, Skills};
+use super::trial::completed;
+use super::{Describe, Scope, Skill, Skills};
 use crate::domain::{Arguments, Controller, ControllerId, GroundOperator, State};
 use crate::error::Error;
 use crate::plan::{Advice, Draw, Drawn, Guide, ReasonId, Sampler, Simulated, Skeleton};
 use crate::random::uniform;
-use crate::table::gather;
 use rand_core::Rng;
 
 /// An environment's sampler and guide that know its skills.
 ///
 /// As a sampler it draws the parameters of a step where its region, in the state before
-/// it, and those of the later steps meet: of all up to the next one with parameters,
-/// which decides anew. Where nothing is known it is the original sampler.
+/// it, and those of later steps meet: of all up to one with parameters that handles its
+/// objects again, which decides anew. Where nothing is known it is the original sampler.
 ///
-/// As a guide it judges a sequence of operators whose last one does not work in the
-/// initial state, or with no parameters of the last step before that has some. It does so
-/// only as far as the regions read nothing that the steps before them change.
+/// As a guide it judges a sequence of operators whose last one does not work, or with no
+/// parameters of some step before, in the state that is expected there: the initial one,
+/// with what the steps before are known to change. It does so only as far as regions
+/// read nothing that cannot be told.
 ///
 /// The reason that it gives is the place of the ground operator that cannot work;
 /// [`Informed::explain`] has the text.
@@ -85,7 +86,7 @@ impl<'a, E: Describe> Informed<'a, E> {
         &self,
         skeleton: Skeleton<'_>,
         state: &State,
-        counts: impl Fn(&Skill, &Arguments, &Arguments) -> bool,
+        counts: impl Fn(&Skill, &Scope<'_, E>) -> bool,
     ) -> Tail<'a> {
         let mut tail = Tail::default();
         let mut runs = skeleton.iter().map_while(|ground| self.run(ground));
@@ -93,70 +94,116 @@ impl<'a, E: Describe> Informed<'a, E> {
             return tail;
         };
         let none = Arguments::default();
-        let later = runs.take_while(|run| run.controller.parameters.is_empty());
-        let later = later.map(|run| (Some(run.id), run.objects));
-        let all = core::iter::once((None, none)).chain(later);
-        let has_parameters = !own.controller.parameters.is_empty();
-        let all = all.take(if has_parameters { usize::MAX } else { 1 });
-        for (step, (id, objects)) in all.enumerate() {
-            let known = self.skills.find(own.id, id);
-            let Some(skill) = known.filter(|skill| skill.region.is_some()) else {
-                continue;
-            };
-            if counts(skill, &own.objects, &objects) {
-                tail.add(skill, step, |out| {
-                    let (own, later) = (own.objects.as_slice(), objects.as_slice());
-                    skill.binding.instance(state, own, later, out)
-                });
+        self.add(&mut tail, (&own, 0), (None, &none), state, &counts);
+        if own.controller.parameters.is_empty() {
+            return tail;
+        }
+        for (step, later) in (1..).zip(runs) {
+            let about = (Some(later.id), &later.objects);
+            self.add(&mut tail, (&own, step), about, state, &counts);
+            if later.decides_anew(&own) {
+                break;
             }
         }
         tail
     }
 
-    /// Whether a region reads in the initial state what it would read after these steps.
-    fn is_settled(
+    /// Adds what is known of a controller, or of it and a later one.
+    fn add(
         &self,
-        before: Skeleton<'_>,
-        skill: &Skill,
-        own: &Arguments,
-        later: &Arguments,
-    ) -> bool {
-        let read = (0..skill.binding.len()).filter(|slot| skill.reads >> slot & 1 == 1);
-        let (own, later) = (own.as_slice(), later.as_slice());
-        let mut sources = read.filter_map(|s| skill.binding.source(s, self.initial, own, later));
-        !sources.any(|(object, attribute)| {
-            before.iter().any(|ground| {
-                self.run(ground).is_none_or(|run| {
+        tail: &mut Tail<'a>,
+        (own, step): (&Run<E>, usize),
+        (id, later): (Option<ControllerId>, &Arguments),
+        state: &State,
+        counts: impl Fn(&Skill, &Scope<'_, E>) -> bool,
+    ) {
+        let known = self.skills.about(own.id, id);
+        for skill in known.filter(|skill| skill.region.is_some()) {
+            let scope = Scope {
+                environment: self.environment,
+                state,
+                own: own.objects.as_slice(),
+                later: later.as_slice(),
+                among: skill.description.among,
+            };
+            if counts(skill, &scope) {
+                tail.add(skill, step, |out| skill.binding.instance(&scope, out));
+            }
+        }
+    }
+
+    /// The state that is expected after these steps, and a bit for each number of it that
+    /// cannot be told.
+    fn expected(&self, before: Skeleton<'_>) -> (State, u64) {
+        let (mut state, mut unknown) = (self.initial.clone(), 0);
+        for ground in before.iter() {
+            match self.run(ground) {
+                Some(run) => {
                     let changes = self.skills.changes(run.id);
-                    changes.affect(run.objects.as_slice(), self.initial, object, attribute)
-                })
-            })
-        })
+                    changes.predict(run.objects.as_slice(), &mut state, &mut unknown);
+                }
+                None => unknown = u64::MAX,
+            }
+        }
+        (state, unknown)
     }
 
     /// Whether the last operator of a sequence cannot work.
     fn is_blocked(&self, prefix: Skeleton<'_>) -> Result<bool, Error> {
-        let decides = |step: &usize| {
-            let run = prefix.get(*step).and_then(|ground| self.run(ground));
-            run.is_some_and(|run| !run.controller.parameters.is_empty())
-        };
         let Some(last) = prefix.len().checked_sub(1) else {
             return Ok(false);
         };
-        let deciding = (0..prefix.len()).rev().find(decides);
-        for own in deciding.into_iter().chain([last]) {
-            let before = prefix.until(own);
-            let tail = self.tail(prefix.from(own), self.initial, |skill, own, later| {
-                self.is_settled(before, skill, own, later)
+        for own in 0..=last {
+            if own < last && !self.is_chained(prefix, own) {
+                continue;
+            }
+            let (state, unknown) = self.expected(prefix.until(own));
+            let tail = self.tail(prefix.from(own), &state, |skill, scope| {
+                skill.is_settled(scope, unknown)
             });
             if tail.are_apart(tail.skills.len())? {
                 return Ok(true);
             }
-            if own == last {
-                break;
-            }
         }
         Ok(false)
+    }
+
+    /// Whether something is known of a step and the last one of a sequence.
+    fn is_chained(&self, prefix: Skeleton<'_>, own: usize) -> bool {
+        let run = |ground: Option<_>| ground.and_then(|ground| self.run(ground));
+        let (Some(own), Some(last)) = (run(prefix.get(own)), run(prefix.iter().next_back())) else {
+            return false;
+        };
+        let mut known = self.skills.about(own.id, Some(last.id));
+        known.any(|skill| skill.region.is_some())
+    }
+}
+
+impl Skill {
+    /// Whether all that its region reads can be told; `unknown` has a bit for each number
+    /// of the state that cannot.
+    fn is_settled<E: Describe>(&self, scope: &Scope<'_, E>, unknown: u64) -> bool {
+        let is_unknown = |object, attribute| {
+            let number = scope
+                .state
+                .place(object)
+                .map_or(63, |first| first + attribute);
+            unknown >> number.min(63) & 1 == 1
+        };
+        let mut read = (0..self.binding.len()).filter(|slot| self.reads >> slot & 1 == 1);
+        unknown == 0
+            || read.all(|slot| {
+                let source = self.binding.source(slot, scope);
+                let own = source.is_none_or(|(object, attribute)| !is_unknown(object, attribute));
+                // Who is a member at all may depend on anything.
+                let kind = self.binding.kind_of_members(slot);
+                let kind = kind.filter(|kind| scope.is_narrowed(*kind));
+                let mut members = kind.into_iter().flat_map(|kind| scope.state.of_type(kind));
+                own && !members.any(|object| {
+                    let count = scope.state.attributes(object).map_or(0, <[f64]>::len);
+                    (0..count).any(|attribute| is_unknown(object, attribute))
+                })
+            })
     }
 }
 
@@ -165,6 +212,15 @@ pub(super) struct Run<E: Describe> {
     pub(super) id: ControllerId,
     pub(super) controller: &'static Controller<E>,
     pub(super) objects: Arguments,
+}
+
+impl<E: Describe> Run<E> {
+    /// Whether its parameters count from now on, instead of those of an earlier one.
+    fn decides_anew(&self, earlier: &Run<E>) -> bool {
+        let mut objects = self.objects.as_slice().iter();
+        !self.controller.parameters.is_empty()
+            && objects.any(|object| earlier.objects.as_slice().contains(object))
+    }
 }
 
 impl<E: Describe> Guide for Informed<'_, E> {
@@ -186,16 +242,12 @@ impl<E: Describe> Sampler<Simulated<'_, E>> for Informed<'_, E> {
     fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
         let everywhere = self.everywhere > 0.0 && uniform(rng) < self.everywhere;
         if draw.advised && !everywhere {
-            let tail = self.tail(draw.skeleton.from(draw.step), draw.state, |_, _, _| true);
+            let tail = self.tail(draw.skeleton.from(draw.step), draw.state, |_, _| true);
             if let Some(drawn) = self.draw(&tail, draw, rng)? {
                 return Ok(drawn);
             }
         }
-        let GroundOperator {
-            operator, objects, ..
-        } = draw.operator;
-        let objects = objects.as_slice();
-        let drawn = self.environment.sample(*operator, draw.state, objects, rng);
+        let drawn = completed(self.environment, draw.operator, draw.state, &[], rng);
         Ok(Drawn::Parameters(drawn))
     }
 }
@@ -208,19 +260,26 @@ impl<E: Describe> Informed<'_, E> {
         draw: &Draw<'_, State>,
         rng: &mut R,
     ) -> Result<Option<Drawn>, Error> {
+        let run = self.run(draw.operator);
+        let sampled = run.is_some_and(|run| !run.controller.parameters.is_empty());
         if tail.skills.is_empty() {
             return Ok(None);
+        }
+        if sampled && tail.parameters() == 0 {
+            // What is known is about the state, and leaves the parameters free.
+            let apart = tail.are_apart(tail.skills.len())?;
+            return apart.then(|| self.blame(tail, draw)).transpose();
         }
         if draw.attempt > self.tries {
             return Ok(Some(Drawn::Empty(reason(draw.skeleton, draw.step))));
         }
         let margin = if draw.attempt > 1 { 0.0 } else { self.margin };
-        let run = self.run(draw.operator);
-        let count = run.map_or(0, |run| run.controller.parameters.len());
         match tail.sample(margin, rng) {
             Ok(theta) => {
-                let parameters = theta.into_iter().take(count).map(|value| value as f32);
-                Ok(Some(Drawn::Informed(gather(parameters))))
+                let theta = theta.get(..tail.parameters()).unwrap_or_default();
+                let (ground, state) = (draw.operator, draw.state);
+                let parameters = completed(self.environment, ground, state, theta, rng);
+                Ok(Some(Drawn::Informed(parameters)))
             }
             Err(Error::EmptyRegion) => self.blame(tail, draw).map(Some),
             Err(Error::NoSample) => Ok(None),

@@ -3,14 +3,16 @@
 //! An environment says in a domain text what can be said of a controller, or of two
 //! that run one after the other ([`Describe`]). The objects of the text are *roles*,
 //! which a state and ground operators fill ([`Binding`]). From training tasks
-//! [`Skills::learn`] learns three kinds of region (the thesis's RegionLearningApproach,
-//! 5.2, and its sequential feasibility, 7.2):
+//! [`Skills::learn`] learns regions (the thesis's RegionLearningApproach, 5.2, and its
+//! sequential feasibility, 7.2):
 //!
-//! | controller | described | region |
+//! | text | of a controller alone | with a later one |
 //! |---|---|---|
-//! | with parameters | alone | with which parameters it works |
-//! | with parameters | with a later one | with which parameters the later one works, too |
-//! | without parameters | alone | in which states it works |
+//! | with parameters | with which parameters it works | with which the later one works, too |
+//! | without | in which states it works | in which states the two can work |
+//!
+//! The later controller may have parameters of its own and need others in between (pick,
+//! put, pick): what is learned is whether there are any with which it works.
 //!
 //! [`Informed`] plans with them: as a sampler it draws from the region of a step and
 //! those of all later steps at once, as a guide it postpones what cannot work.
@@ -18,28 +20,36 @@
 mod binding;
 mod changes;
 mod informed;
+mod scope;
+mod selection;
 mod settings;
 mod tail;
 mod training;
+mod trial;
 mod why;
 
 pub use binding::Binding;
 pub use changes::Changes;
 pub use informed::Informed;
-pub use settings::Setting;
+pub use scope::Scope;
+pub use settings::{Candidate, MAX_CHAIN, Setting};
 pub use training::{Learned, Training, TrainingMemory};
 
-use crate::domain::{ControllerId, Domain, Environment, MAX_STATE_VALUES};
+use crate::domain::{ControllerId, Domain, Environment, MAX_STATE_VALUES, PredicateId};
 use crate::error::Error;
 use crate::region::Region;
 
 /// What can be said of a controller, or of two that run one after the other.
 #[derive(Clone, Copy, Debug)]
 pub struct Description {
-    /// The controller. Its parameters are those of the text.
+    /// The controller. The parameters of the text are its first ones, the same in all
+    /// texts that have any; the others are left to the original sampler.
     pub own: ControllerId,
-    /// A controller without parameters that runs later.
+    /// A controller that runs later.
     pub later: Option<ControllerId>,
+    /// Predicates of one object that hold of every member of a group: objects of which
+    /// one does not hold do not count.
+    pub among: &'static [PredicateId],
     /// The domain text; its objects are roles: see [`Binding`].
     pub text: &'static str,
 }
@@ -123,17 +133,23 @@ impl<'m> Skills<'m> {
         let changes = changes.get_mut(..controllers.len());
         let changes = changes.ok_or(Error::CapacityExceeded("changes of controllers"))?;
         changes.fill(Changes::default());
-        let arguments = |id: ControllerId| match controllers.get(usize::from(id.0)) {
-            Some(controller) => Ok(controller.arguments),
-            None => Err(Error::Mismatch("a description of no controller")),
+        let find = |id: ControllerId| {
+            let controller = controllers.get(usize::from(id.0));
+            controller.ok_or(Error::Mismatch("a description of no controller"))
         };
         for (skill, description) in skills.iter_mut().zip(descriptions) {
             let domain = Domain::parse(description.text)?;
-            let own = arguments(description.own)?;
-            let later = description.later.map_or(Ok(&[][..]), arguments)?;
+            let own = find(description.own)?;
+            if domain.parameters().len() > own.parameters.len() {
+                return Err(Error::Mismatch(
+                    "a text has more parameters than its controller",
+                ));
+            }
+            let later = description.later.map(find).transpose()?;
+            let later = later.map_or(&[][..], |later| later.arguments);
             *skill = Some(Skill {
                 description: *description,
-                binding: Binding::new(&domain, environment.types(), own, later)?,
+                binding: Binding::new(&domain, environment.types(), own.arguments, later)?,
                 domain,
                 region: None,
                 reads: 0,
@@ -148,14 +164,23 @@ impl<'m> Skills<'m> {
     }
 
     /// One of them, by its place.
+    pub fn get(&self, index: usize) -> Option<&Skill> {
+        self.skills.get(index)?.as_ref()
+    }
+
+    /// One of them, by its place, to change.
     pub fn get_mut(&mut self, index: usize) -> Option<&mut Skill> {
         self.skills.get_mut(index)?.as_mut()
     }
 
     /// What is known of a controller, or of it and a later one.
-    pub fn find(&self, own: ControllerId, later: Option<ControllerId>) -> Option<&Skill> {
-        let is_it = |about: &Description| about.own == own && about.later == later;
-        self.iter().find(|skill| is_it(&skill.description))
+    pub fn about(
+        &self,
+        own: ControllerId,
+        later: Option<ControllerId>,
+    ) -> impl Iterator<Item = &Skill> {
+        let is_it = move |about: &Description| about.own == own && about.later == later;
+        self.iter().filter(move |skill| is_it(&skill.description))
     }
 
     /// What a controller changes, as far as was seen.

@@ -52,7 +52,7 @@ impl<'s> Tail<'s> {
         })
     }
 
-    pub(super) fn parts(&self) -> impl Iterator<Item = Part<'_>> {
+    pub(super) fn parts(&self) -> impl Iterator<Item = Part<'_>> + Clone {
         let starts = core::iter::once(0).chain(self.skills.iter().map(|(_, end, _)| *end));
         let skills = self.skills.iter().zip(starts);
         skills.filter_map(|((skill, end, _), start)| {
@@ -64,18 +64,29 @@ impl<'s> Tail<'s> {
         })
     }
 
+    /// How many parameters the regions are about.
+    pub(super) fn parameters(&self) -> usize {
+        let counts = self
+            .skills
+            .iter()
+            .map(|(skill, ..)| skill.domain.parameters().len());
+        counts.max().unwrap_or(0)
+    }
+
     /// Whether it is proven that the first regions have nothing in common.
     pub(super) fn are_apart(&self, count: usize) -> Result<bool, Error> {
-        let parts: Vec<Part<'_>, MAX_PARTS> = gather(self.parts().take(count));
-        if parts.is_empty() {
-            return Ok(false);
-        }
-        Intersection::<f64>::new(&parts)?.is_proven_empty()
+        are_apart(self.parts().take(count))
     }
 
     /// Draws parameters that all regions admit; see [`Intersection::sample_inside`].
     pub(super) fn sample<R: Rng>(&self, margin: f64, rng: &mut R) -> Result<Theta, Error> {
-        let parts: Vec<Part<'_>, MAX_PARTS> = gather(self.parts());
+        let (states, parts) = split(self.parts());
+        if any_is_empty(&states)? {
+            return Err(Error::EmptyRegion);
+        }
+        if parts.is_empty() {
+            return Ok(Theta::default());
+        }
         Intersection::<f64>::new(&parts)?.sample_inside(margin, rng)
     }
 
@@ -91,7 +102,37 @@ impl<'s> Tail<'s> {
             region: if index == place { &weaker } else { part.region },
             ..part
         });
-        let parts: Vec<Part<'_>, MAX_PARTS> = gather(parts);
-        Ok(!Intersection::<f64>::new(&parts)?.is_proven_empty()?)
+        Ok(!are_apart(parts)?)
     }
+}
+
+type Parts<'p> = Vec<Part<'p>, MAX_PARTS>;
+
+/// Regions of states, which hold or do not, and those of parameters.
+fn split<'p>(parts: impl Iterator<Item = Part<'p>> + Clone) -> (Parts<'p>, Parts<'p>) {
+    let is_state = |part: &Part<'_>| part.domain.parameters().is_empty();
+    let states = parts.clone().filter(is_state);
+    let others = parts.filter(|part| !is_state(part));
+    (gather(states), gather(others))
+}
+
+fn any_is_empty(states: &[Part<'_>]) -> Result<bool, Error> {
+    for state in states {
+        let alone = core::slice::from_ref(state);
+        if Intersection::<f64>::new(alone)?.is_proven_empty()? {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+fn are_apart<'p>(parts: impl Iterator<Item = Part<'p>> + Clone) -> Result<bool, Error> {
+    let (states, parts) = split(parts);
+    if any_is_empty(&states)? {
+        return Ok(true);
+    }
+    if parts.is_empty() {
+        return Ok(false);
+    }
+    Intersection::<f64>::new(&parts)?.is_proven_empty()
 }

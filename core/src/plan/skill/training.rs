@@ -1,23 +1,28 @@
 //! Learning the region of a skill.
 
-use super::settings::collect;
-use super::{Describe, Setting, Skills};
-use crate::domain::{GroundOperator, Operator, State, Task, try_operator};
+use super::selection::swap_rows;
+use super::settings::{Wanted, survey};
+use super::{Candidate, Describe, Setting, Skill, Skills};
+use crate::domain::{Domain, GroundOperator, State, Task};
 use crate::error::Error;
 use crate::learn::version_space::{Capacity, Config, Memory, VersionSpace};
 use crate::learn::{Answer, Learner, Problem, learn_region};
-use crate::region::Region;
-use crate::table::gather;
+use crate::random::{Generator, generator};
+use crate::region::{Region, Theta};
 use heapless::VecView;
 
 /// How much is tried to learn a skill.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Training {
-    /// What the learner is given; its calls are those for each step.
+    /// What the learner is given about a controller alone.
     pub learner: Config,
+    /// Questions about two controllers.
+    pub chained: u32,
+    /// Tasks that instances are taken from.
+    pub tasks: usize,
     /// Instances in which parameters are tried.
     pub instances: usize,
-    /// Instances in which a controller without parameters is tried, each once.
+    /// Instances of a text without parameters, each of which is tried once.
     pub states: usize,
 }
 
@@ -25,18 +30,27 @@ impl Default for Training {
     fn default() -> Self {
         Training {
             learner: Config::default(),
+            chained: 200,
+            tasks: 150,
             instances: 20,
             states: 150,
         }
     }
 }
 
+const NO_SKILL: Error = Error::InvalidArgument("there is no skill with this index");
+
 /// The memory of learning a skill. All of it can be used again for the next.
 #[derive(Debug)]
 pub struct TrainingMemory<'m> {
     /// One for each instance.
     pub settings: &'m mut [Option<Setting>],
-    /// The numbers of all instances.
+    /// Settings to choose from; the more there are, the more those that are chosen
+    /// differ.
+    pub candidates: &'m mut [Candidate],
+    /// One for each candidate.
+    pub proposals: &'m mut [Theta],
+    /// The numbers of the instances of all candidates.
     pub instances: &'m mut [f64],
     /// For the ground operators of a task.
     pub operators: &'m mut VecView<GroundOperator>,
@@ -53,6 +67,8 @@ pub struct TrainingMemory<'m> {
 pub struct Learned {
     /// Whether there is a region.
     pub region: bool,
+    /// Tasks that instances were taken from.
+    pub tasks: usize,
     /// Instances that were found.
     pub instances: usize,
     /// Controllers that were run, those on the way to an instance included.
@@ -60,6 +76,30 @@ pub struct Learned {
 }
 
 impl Skills<'_> {
+    /// Collects settings of the skill at an index from tasks, in their order, into
+    /// `memory.settings`, up to so many: to judge what was learned. Returns how many
+    /// there are.
+    ///
+    /// # Errors
+    /// Those of [`Skills::learn`].
+    pub fn settings<E: Describe>(
+        &self,
+        index: usize,
+        environment: &E,
+        tasks: &[Task],
+        wanted: usize,
+        mut memory: TrainingMemory<'_>,
+    ) -> Result<usize, Error> {
+        let skill = self.get(index).ok_or(NO_SKILL)?;
+        let wanted = Wanted {
+            tasks: tasks.len(),
+            settings: wanted,
+            differing: false,
+        };
+        let (count, ..) = self.collect(skill, environment, tasks, wanted, &mut memory)?;
+        Ok(count)
+    }
+
     /// Learns the skill at an index of the descriptions from training tasks, with the
     /// skills learned so far. That there is no region is no error.
     ///
@@ -77,27 +117,48 @@ impl Skills<'_> {
         training: &Training,
         mut memory: TrainingMemory<'_>,
     ) -> Result<Learned, Error> {
-        const NO_SKILL: Error = Error::InvalidArgument("there is no skill with this index");
-        let skill = self.get_mut(index).ok_or(NO_SKILL)?;
-        let (description, domain) = (skill.description, skill.domain.clone());
+        let skill = self.get(index).ok_or(NO_SKILL)?;
+        let (later, domain) = (skill.description.later, skill.domain.clone());
         let sampled = !domain.parameters().is_empty();
-        let wanted = if sampled {
-            training.instances
-        } else {
-            training.states
+        let settings = match sampled {
+            true => training.instances,
+            false => training.states,
         };
-        let wanted = wanted.min(memory.capacity.instances);
-        let (count, mut calls) =
-            collect(environment, self, &description, tasks, wanted, &mut memory)?;
-        if count == 0 {
-            return Ok(Learned::default());
+        let wanted = Wanted {
+            tasks: training.tasks,
+            settings: settings.min(memory.capacity.instances),
+            differing: sampled,
+        };
+        let (mut count, tasks, mut calls) =
+            self.collect(skill, environment, tasks, wanted, &mut memory)?;
+        let mut rng = generator(training.learner.seed ^ index as u64);
+        if !sampled {
+            let settings = memory.settings.get_mut(..count).unwrap_or_default();
+            let (kept, runs) = self.try_once(environment, settings, later.is_some(), &mut rng)?;
+            (count, calls) = (kept, calls + runs);
         }
+        let mut learned = Learned {
+            region: false,
+            tasks,
+            instances: count,
+            calls,
+        };
+        if count == 0 {
+            return Ok(learned);
+        }
+        let skill = self.get(index).ok_or(NO_SKILL)?;
+        survey(skill, environment, count, &mut memory)?;
+        let numbers = count * skill.binding.len();
         let settings = memory.settings.get(..count).unwrap_or_default();
-        let instances = self.instances(index, environment, settings, memory.instances)?;
-        let problem = Problem::new(&domain, instances, count)?;
-        let steps = 1 + usize::from(description.later.is_some());
+        let proposals = memory.proposals.get(..count).unwrap_or_default();
+        let instances = memory.instances.get(..numbers).unwrap_or_default();
+        let problem = Problem::new(&domain, instances, count)?.with_proposals(proposals)?;
+        let steps = 1 + usize::from(later.is_some());
         let config = Config {
-            calls: training.learner.calls.saturating_mul(steps as u32),
+            calls: match later {
+                Some(_) => training.chained,
+                None => training.learner.calls,
+            },
             ..training.learner
         };
         let capacity = Capacity {
@@ -105,119 +166,77 @@ impl Skills<'_> {
             ..memory.capacity
         };
         let mut learner = VersionSpace::new(&domain, config, capacity, memory.learner)?;
-        let learned = learn_region(&mut learner, &problem, |_, query| {
+        let outcome = learn_region(&mut learner, &problem, |_, query| {
             let setting = settings.get(query.instance).and_then(Option::as_ref);
             let setting = setting.ok_or(Error::InvalidArgument("no such instance"))?;
-            let (answer, runs) = self.attempt(environment, setting, &query.theta);
-            calls += runs;
+            if let Some(answer) = setting.answer {
+                return Ok(answer);
+            }
+            let theta = query.theta.get(..domain.parameters().len());
+            let (answer, runs) = self.attempt(environment, setting, theta, &mut rng)?;
+            learned.calls += runs;
             Ok::<_, Error>(answer)
         });
-        let region = match learned {
+        let region = match outcome {
             Ok(_) => last_step(&learner, &domain, steps)?,
             Err(Error::NoRegion) => None,
             Err(error) => return Err(error),
         };
-        let learned = Learned {
-            region: region.is_some(),
-            instances: count,
-            calls,
-        };
+        learned.region = region.is_some();
         self.get_mut(index).ok_or(NO_SKILL)?.set_region(region);
         Ok(learned)
     }
 
-    /// The numbers of the instances of all settings.
-    fn instances<'n, E: Describe>(
-        &self,
-        index: usize,
-        environment: &E,
-        settings: &[Option<Setting>],
-        numbers: &'n mut [f64],
-    ) -> Result<&'n [f64], Error> {
-        const FULL: Error = Error::CapacityExceeded("numbers of training instances");
-        let skill = self.skills.get(index).and_then(Option::as_ref);
-        let binding = &skill.ok_or(FULL)?.binding;
-        let numbers = numbers
-            .get_mut(..settings.len() * binding.len())
-            .ok_or(FULL)?;
-        let objects = |ground: &GroundOperator| {
-            let operator = operator(environment, ground)?;
-            operator.controller_objects(ground.objects.as_slice())
-        };
-        let places = numbers.chunks_exact_mut(binding.len().max(1));
-        for (setting, numbers) in settings.iter().flatten().zip(places) {
-            let own = objects(&setting.own)?;
-            let later = setting
-                .later
-                .as_ref()
-                .map(objects)
-                .transpose()?
-                .unwrap_or_default();
-            binding.instance(&setting.state, own.as_slice(), later.as_slice(), numbers)?;
-        }
-        Ok(numbers)
-    }
-
-    /// Tries parameters in a setting. Returns also how many controllers were run.
-    fn attempt<E: Describe>(
+    /// Tries settings without parameters, and leaves out those of two controllers of
+    /// which already the first one fails: they say nothing. Returns how many are left and
+    /// how many controllers were run.
+    fn try_once<E: Describe>(
         &mut self,
         environment: &E,
-        setting: &Setting,
-        theta: &[f64],
-    ) -> (Answer, u32) {
-        let mut state = setting.state.clone();
-        let steps = (1..).zip([Some(&setting.own), setting.later.as_ref()]);
-        let mut runs = 0;
-        for (step, ground) in steps {
-            let Some(ground) = ground else { break };
-            runs = step;
-            match self.run(environment, ground, theta, &state) {
-                Some(after) => state = after,
-                None => return (Answer::FailedStep(step), runs),
+        settings: &mut [Option<Setting>],
+        chained: bool,
+        rng: &mut Generator,
+    ) -> Result<(usize, u32), Error> {
+        let (mut kept, mut calls) = (0, 0);
+        for index in 0..settings.len() {
+            let Some(Some(setting)) = settings.get_mut(index) else {
+                break;
+            };
+            let (answer, runs) = self.attempt(environment, setting, None, rng)?;
+            setting.answer = Some(answer);
+            calls += runs;
+            if !(chained && answer == Answer::FailedStep(1)) {
+                if kept < index {
+                    swap_rows(settings, 1, kept, index);
+                }
+                kept += 1;
             }
         }
-        (Answer::Feasible, runs)
-    }
-
-    /// Runs an operator and notes what it changes; the state afterwards if it works.
-    fn run<E: Describe>(
-        &mut self,
-        environment: &E,
-        ground: &GroundOperator,
-        theta: &[f64],
-        before: &State,
-    ) -> Option<State> {
-        let operator = operator(environment, ground).ok()?;
-        let objects = ground.objects.as_slice();
-        let controller = environment
-            .controllers()
-            .get(usize::from(operator.controller.0))?;
-        let theta = theta.iter().take(controller.parameters.len());
-        let parameters: crate::domain::Parameters = gather(theta.map(|value| *value as f32));
-        let outcome = try_operator(environment, operator, objects, &parameters, before);
-        let arguments = operator.controller_objects(objects).ok()?;
-        let changes = self.changes_mut(operator.controller)?;
-        let feasible = outcome.is_feasible();
-        feasible.then(|| {
-            changes.observe(arguments.as_slice(), before, &outcome.state);
-            outcome.state
-        })
+        Ok((kept, calls))
     }
 }
 
-fn operator<E: Describe>(
-    environment: &E,
-    ground: &GroundOperator,
-) -> Result<&'static Operator<'static>, Error> {
-    let operators = environment.operators();
-    let operator = operators.get(usize::from(ground.operator.0));
-    operator.ok_or(Error::Mismatch("an operator is not of this environment"))
+impl Skill {
+    /// Writes the instance of a setting to `out`, which has a place for each number.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if the setting is not one of this skill.
+    pub fn instance<E: Describe>(
+        &self,
+        environment: &E,
+        setting: &Setting,
+        out: &mut [f64],
+    ) -> Result<(), Error> {
+        setting.with_scope(environment, self.description.among, |scope| {
+            self.binding.instance(scope, out)
+        })
+    }
 }
 
 /// What was learned of the last of so many steps.
 fn last_step(
     learner: &VersionSpace<'_, f64>,
-    domain: &crate::domain::Domain<'_>,
+    domain: &Domain<'_>,
     steps: usize,
 ) -> Result<Option<Region>, Error> {
     let evidence = learner.evidence();

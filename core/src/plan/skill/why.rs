@@ -2,8 +2,8 @@
 
 use super::informed::Run;
 use super::tail::{MAX_PARTS, Tail};
-use super::{Describe, Informed, Skill};
-use crate::domain::{GroundOperator, ObjectId, ObjectType, State};
+use super::{Describe, Informed, Scope, Skill};
+use crate::domain::{GroundOperator, ObjectType};
 use crate::plan::{ReasonId, Skeleton};
 use core::fmt::{self, Write};
 
@@ -37,10 +37,14 @@ impl<E: Describe> Informed<'_, E> {
         }
         let mut out = Named {
             skill: None,
-            state: self.initial,
             types: self.environment.types(),
-            own: own.objects.as_slice(),
-            later: later.objects.as_slice(),
+            scope: Scope {
+                environment: self.environment,
+                state: self.initial,
+                own: own.objects.as_slice(),
+                later: later.objects.as_slice(),
+                among: &[],
+            },
             out,
         };
         match write_constraints(&tail, true, &mut out)? {
@@ -58,7 +62,7 @@ impl<E: Describe> Informed<'_, E> {
     ) -> (Option<&'o GroundOperator>, Tail<'_>) {
         let known = |places: &[u16]| {
             let skeleton = Skeleton::new(operators, places);
-            self.tail(skeleton, self.initial, |_, _, _| true)
+            self.tail(skeleton, self.initial, |_, _| true)
         };
         let is_apart = |tail: &Tail<'_>| tail.are_apart(MAX_PARTS).unwrap_or(false);
         let alone = known(&[place]);
@@ -91,10 +95,10 @@ impl<E: Describe> Informed<'_, E> {
 
 /// Writes constraints of the regions; only those that alone keep the regions from meeting,
 /// or all. Returns how many.
-fn write_constraints<'t>(
+fn write_constraints<'t, E: Describe>(
     tail: &Tail<'t>,
     deciding: bool,
-    out: &mut Named<'t, '_>,
+    out: &mut Named<'t, '_, E>,
 ) -> Result<u32, fmt::Error> {
     let mut count = 0;
     for (place, (skill, ..)) in tail.skills.iter().enumerate() {
@@ -118,24 +122,22 @@ fn write_constraints<'t>(
 }
 
 /// Puts the names of objects where a skill's domain has the names of roles.
-struct Named<'t, 'o> {
+struct Named<'t, 'o, E> {
     skill: Option<&'t Skill>,
-    state: &'o State,
     types: &'o [ObjectType],
-    own: &'o [ObjectId],
-    later: &'o [ObjectId],
+    scope: Scope<'o, E>,
     out: &'o mut dyn Write,
 }
 
-impl Write for Named<'_, '_> {
+impl<E: Describe> Write for Named<'_, '_, E> {
     /// Expressions are written name by name.
     fn write_str(&mut self, word: &str) -> fmt::Result {
         let name = self.skill.and_then(|skill| {
             let mut roles = skill.domain.objects().iter();
             let role = roles.find(|o| o.name == word && o.member.is_none())?;
             let slot = usize::from(role.first_slot);
-            let source = skill.binding.source(slot, self.state, self.own, self.later);
-            self.state.name(self.types, source?.0)
+            let source = skill.binding.source(slot, &self.scope);
+            self.scope.state.name(self.types, source?.0)
         });
         match name {
             Some(name) => name.write(self.out),

@@ -374,7 +374,12 @@ impl<'m, R: Real> Forms<'m, R> {
     pub(in crate::learn::version_space) fn bits(&self, side: &Side, named: bool) -> f64 {
         let form = self.bits_of_level.get(usize::from(side.level));
         let form = form.copied().filter(|_| !named).unwrap_or(AGAIN);
-        form + libm::log2((self.samples() + 1) as f64)
+        form + self.bits_of_threshold()
+    }
+
+    /// The length of a threshold's description, among those that the samples tell apart.
+    pub(in crate::learn::version_space) fn bits_of_threshold(&self) -> f64 {
+        libm::log2((self.samples() + 1) as f64)
     }
 
     /// The value of a form at a sample.

@@ -1,0 +1,17 @@
+//! What can be said of the controllers, for learning when they work.
+
+use super::{Blocks, PUT_ON_TABLE};
+use crate::plan::skill::{Describe, Description};
+
+static DESCRIPTIONS: [Description; 1] = [Description {
+    own: PUT_ON_TABLE,
+    later: None,
+    among: &[],
+    text: include_str!("skills/put_on_table.txt"),
+}];
+
+impl Describe for Blocks {
+    fn descriptions(&self) -> &'static [Description] {
+        &DESCRIPTIONS
+    }
+}

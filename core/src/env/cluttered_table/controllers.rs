@@ -1,0 +1,40 @@
+//! The controllers. Each is one command, which the can does not influence.
+
+use super::{Action, CAN_TYPE};
+use crate::domain::{Controller, ControllerId, Environment, Terminal, always};
+
+/// `Grasp(can; start x, start y, end x, end y)`: one approach, to grasp.
+pub const GRASP: ControllerId = ControllerId(0);
+/// `Dump(can)` of [`ClutteredTable`](super::ClutteredTable): lets go of the held can
+/// above the trash.
+pub const DUMP: ControllerId = ControllerId(1);
+/// `Place(can; start x, start y, end x, end y)` of
+/// [`ClutteredTablePlace`](super::ClutteredTablePlace): one approach, at whose end the
+/// held can is placed.
+pub const PLACE: ControllerId = ControllerId(1);
+
+/// The command to dump.
+pub(super) const DUMP_COMMAND: Action = [0.0; 4];
+
+pub(super) const fn dump<E: Environment<Action = Action>>() -> Controller<E> {
+    Controller {
+        name: "Dump",
+        arguments: &[CAN_TYPE],
+        parameters: &[],
+        initiable: always,
+        policy: |_, _, _, _| DUMP_COMMAND,
+        terminal: Terminal::FirstAction,
+    }
+}
+
+/// A controller whose parameters are its command.
+pub(super) const fn approach<E: Environment<Action = Action>>(name: &'static str) -> Controller<E> {
+    Controller {
+        name,
+        arguments: &[CAN_TYPE],
+        parameters: &[[0.0, 1.0]; 4],
+        initiable: |_, _, _, parameters| parameters.len() == 4,
+        policy: |_, _, _, parameters| parameters.try_into().unwrap_or_default(),
+        terminal: Terminal::FirstAction,
+    }
+}

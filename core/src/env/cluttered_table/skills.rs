@@ -1,0 +1,44 @@
+//! What can be said of the controllers, for learning when they work.
+
+use super::{ClutteredTable, ClutteredTablePlace, DUMP, GRASP, PLACE, UNTRASHED};
+use crate::plan::skill::{Describe, Description};
+
+/// The end of an approach is left to the original sampler, which takes the can's centre.
+const GRASPING: Description = Description {
+    own: GRASP,
+    later: None,
+    among: &[UNTRASHED],
+    text: include_str!("skills/grasp.txt"),
+};
+
+static WITH_DUMP: [Description; 2] = [
+    GRASPING,
+    Description {
+        own: DUMP,
+        later: None,
+        among: &[],
+        text: include_str!("skills/dump.txt"),
+    },
+];
+
+static WITH_PLACE: [Description; 2] = [
+    GRASPING,
+    Description {
+        own: PLACE,
+        later: None,
+        among: &[UNTRASHED],
+        text: include_str!("skills/place.txt"),
+    },
+];
+
+impl Describe for ClutteredTable {
+    fn descriptions(&self) -> &'static [Description] {
+        &WITH_DUMP
+    }
+}
+
+impl Describe for ClutteredTablePlace {
+    fn descriptions(&self) -> &'static [Description] {
+        &WITH_PLACE
+    }
+}

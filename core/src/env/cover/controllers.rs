@@ -1,0 +1,57 @@
+//! What operators, controllers and samplers of the family share.
+
+use super::Action;
+use super::world::{Block, Target, around};
+use crate::domain::{
+    Controller, Environment, LiftedAtom, Parameters, PredicateId, Terminal, TypeId, always,
+};
+use crate::random::uniform_in;
+use crate::real::Real;
+use rand_core::Rng;
+
+/// Where one can click.
+const SPACE: [f64; 2] = [0.0, 1.0];
+
+pub(super) const fn atom(predicate: PredicateId, variables: &'static [u8]) -> LiftedAtom<'static> {
+    LiftedAtom {
+        predicate,
+        variables,
+    }
+}
+
+/// A controller that clicks once, at its parameter.
+pub(super) const fn controller<E: Environment<Action = Action>>(
+    name: &'static str,
+    arguments: &'static [TypeId],
+) -> Controller<E> {
+    Controller {
+        name,
+        arguments,
+        parameters: &[SPACE],
+        initiable: always,
+        // Without a parameter it clicks nowhere, which does nothing.
+        policy: |_, _, _, parameters| parameters.first().copied().unwrap_or(Action::NAN),
+        terminal: Terminal::FirstAction,
+    }
+}
+
+/// A click that was drawn, as the parameter of a controller; no parameter without it.
+pub(super) fn parameters(click: Option<f64>) -> Parameters {
+    let [low, high] = SPACE;
+    let click = click.map(|click| Real::clamp(click, low, high) as f32);
+    click.into_iter().collect()
+}
+
+/// Draws where to pick a block: anywhere on it.
+pub(super) fn sample_pick(block: &Block, rng: &mut impl Rng) -> f64 {
+    let [low, high] = SPACE;
+    let (left, right) = block.extent().into_inner();
+    uniform_in(rng, Real::max(low, left), Real::min(high, right))
+}
+
+/// Draws where to put a block down: on the fifth about the centre of a target,
+/// wherever the block is held.
+pub(super) fn sample_place(target: &Target, rng: &mut impl Rng) -> f64 {
+    let (left, right) = around(target.pose, target.width / 10.0).into_inner();
+    uniform_in(rng, left, right)
+}

@@ -1,0 +1,77 @@
+//! The predicates that several of the environments have.
+
+use super::world::{Block, Target, blocks};
+use super::{BLOCK_TYPE, TARGET_TYPE};
+use crate::domain::{ObjectId, Predicate, State};
+
+/// `Clear(target)`: no block covers the target.
+pub(super) const fn clear<E>() -> Predicate<E> {
+    Predicate {
+        name: "Clear",
+        arguments: &[TARGET_TYPE],
+        classifier: |_, state, objects| is_clear(state, objects).unwrap_or(false),
+    }
+}
+
+/// `Covers(block, target)`: the block lies over all of the target.
+pub(super) const fn covers<E>() -> Predicate<E> {
+    Predicate {
+        name: "Covers",
+        arguments: &[BLOCK_TYPE, TARGET_TYPE],
+        classifier: |_, state, objects| is_covered(state, objects).unwrap_or(false),
+    }
+}
+
+/// `HandEmpty()`: no block is held.
+pub(super) const fn hand_empty<E>() -> Predicate<E> {
+    Predicate {
+        name: "HandEmpty",
+        arguments: &[],
+        classifier: |_, state, _| !blocks(state).any(|block| block.is_held()),
+    }
+}
+
+/// `Holding(block)`: the block is held.
+pub(super) const fn holding<E>() -> Predicate<E> {
+    Predicate {
+        name: "Holding",
+        arguments: &[BLOCK_TYPE],
+        classifier: |_, state, objects| block(state, objects).is_some_and(|b| b.is_held()),
+    }
+}
+
+/// `IsBlock(block)`: always.
+pub(super) const fn is_block<E>() -> Predicate<E> {
+    Predicate {
+        name: "IsBlock",
+        arguments: &[BLOCK_TYPE],
+        classifier: |_, _, _| true,
+    }
+}
+
+/// `IsTarget(target)`: always.
+pub(super) const fn is_target<E>() -> Predicate<E> {
+    Predicate {
+        name: "IsTarget",
+        arguments: &[TARGET_TYPE],
+        classifier: |_, _, _| true,
+    }
+}
+
+/// The block that a predicate is about.
+pub(super) fn block(state: &State, objects: &[ObjectId]) -> Option<Block> {
+    Block::read(state, *objects.first()?)
+}
+
+fn is_clear(state: &State, objects: &[ObjectId]) -> Option<bool> {
+    let target = Target::read(state, *objects.first()?)?;
+    Some(!blocks(state).any(|block| block.covers(&target)))
+}
+
+fn is_covered(state: &State, objects: &[ObjectId]) -> Option<bool> {
+    let [block, target] = objects else {
+        return None;
+    };
+    let target = Target::read(state, *target)?;
+    Some(Block::read(state, *block)?.covers(&target))
+}

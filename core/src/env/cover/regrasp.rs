@@ -1,0 +1,156 @@
+//! Cover with regrasping: the hand reaches what is far from targets, and the middle of
+//! them.
+
+use super::controllers::{atom, controller, parameters, sample_pick, sample_place};
+use super::world::{Block, Rules, Target, targets};
+use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES, predicates};
+use crate::domain::{
+    Controller, ControllerId, Environment, Failure, LiftedAtom, ObjectId, ObjectType, Operator,
+    OperatorId, Parameters, Predicate, PredicateId, State,
+};
+use rand_core::Rng;
+
+/// The environment `cover_regrasp`. See the [module](super).
+///
+/// In many tasks a block is held at its end in the beginning. Most of these it must
+/// put down and grasp again, or put over the target from outside of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CoverRegrasp;
+
+impl CoverRegrasp {
+    /// `Clear(target)`: no block covers the target.
+    pub const CLEAR: PredicateId = PredicateId(0);
+    /// `Covers(block, target)`: the block lies over all of the target.
+    pub const COVERS: PredicateId = PredicateId(1);
+    /// `HandEmpty()`: no block is held.
+    pub const HAND_EMPTY: PredicateId = PredicateId(2);
+    /// `Holding(block)`: the block is held.
+    pub const HOLDING: PredicateId = PredicateId(3);
+    /// `IsBlock(block)`: always.
+    pub const IS_BLOCK: PredicateId = PredicateId(4);
+    /// `IsTarget(target)`: always.
+    pub const IS_TARGET: PredicateId = PredicateId(5);
+
+    /// `Pick(block; p)`: picks the block by a click at `p`.
+    pub const PICK: ControllerId = ControllerId(0);
+    /// `Place(block, target; p)`: puts the block over the target by a click at `p`.
+    pub const PLACE: ControllerId = ControllerId(1);
+    /// `PlaceOnTable(block; p)`: puts the block anywhere by a click at `p`.
+    pub const PLACE_ON_TABLE: ControllerId = ControllerId(2);
+}
+
+/// The hand reaches a point that is at least the width of every target away from its
+/// ends, or within the middle third of one. As the targets of all tasks lie far apart,
+/// this is the union of intervals that the framework walks over from left to right.
+static RULES: Rules = Rules {
+    reaches: |state, p| {
+        let fits = |target: Target| {
+            let (left, right) = target.extent().into_inner();
+            let third = target.width / 3.0;
+            let is_far = p <= left - target.width || right + target.width <= p;
+            is_far || (left + third..=right - third).contains(&p)
+        };
+        (0.0..=1.0).contains(&p) && targets(state).all(fits)
+    },
+    supports: |_, _| true,
+};
+
+static PREDICATES: [Predicate<CoverRegrasp>; 6] = [
+    predicates::clear(),
+    predicates::covers(),
+    predicates::hand_empty(),
+    predicates::holding(),
+    predicates::is_block(),
+    predicates::is_target(),
+];
+
+static CONTROLLERS: [Controller<CoverRegrasp>; 3] = [
+    controller("Pick", &[BLOCK_TYPE]),
+    controller("Place", &[BLOCK_TYPE, TARGET_TYPE]),
+    controller("PlaceOnTable", &[BLOCK_TYPE]),
+];
+
+const IS_BLOCK: LiftedAtom<'static> = atom(CoverRegrasp::IS_BLOCK, &[0]);
+const IS_HELD: LiftedAtom<'static> = atom(CoverRegrasp::HOLDING, &[0]);
+const HAND_IS_EMPTY: LiftedAtom<'static> = atom(CoverRegrasp::HAND_EMPTY, &[]);
+const IS_CLEAR: LiftedAtom<'static> = atom(CoverRegrasp::CLEAR, &[1]);
+
+static OPERATORS: [Operator<'static>; 3] = [
+    Operator {
+        name: "Pick",
+        parameters: &[BLOCK_TYPE],
+        preconditions: &[IS_BLOCK, HAND_IS_EMPTY],
+        add_effects: &[IS_HELD],
+        delete_effects: &[HAND_IS_EMPTY],
+        controller: CoverRegrasp::PICK,
+        controller_arguments: &[0],
+    },
+    Operator {
+        name: "Place",
+        parameters: &[BLOCK_TYPE, TARGET_TYPE],
+        preconditions: &[
+            IS_BLOCK,
+            atom(CoverRegrasp::IS_TARGET, &[1]),
+            IS_HELD,
+            IS_CLEAR,
+        ],
+        add_effects: &[HAND_IS_EMPTY, atom(CoverRegrasp::COVERS, &[0, 1])],
+        delete_effects: &[IS_HELD, IS_CLEAR],
+        controller: CoverRegrasp::PLACE,
+        controller_arguments: &[0, 1],
+    },
+    Operator {
+        name: "PlaceOnTable",
+        parameters: &[BLOCK_TYPE],
+        preconditions: &[IS_BLOCK, IS_HELD],
+        add_effects: &[HAND_IS_EMPTY],
+        delete_effects: &[IS_HELD],
+        controller: CoverRegrasp::PLACE_ON_TABLE,
+        controller_arguments: &[0],
+    },
+];
+
+impl Environment for CoverRegrasp {
+    type Action = Action;
+
+    fn types(&self) -> &'static [ObjectType] {
+        &TYPES
+    }
+
+    fn predicates(&self) -> &'static [Predicate<Self>] {
+        &PREDICATES
+    }
+
+    fn controllers(&self) -> &'static [Controller<Self>] {
+        &CONTROLLERS
+    }
+
+    fn operators(&self) -> &'static [Operator<'static>] {
+        &OPERATORS
+    }
+
+    fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
+        RULES.click(state, f64::from(action))
+    }
+
+    /// Picks a block anywhere; clicks within the fifth about the centre of a target,
+    /// although the hand reaches more; and puts a block on the table where the hand
+    /// was when it was picked, so that it does not move.
+    fn sample<G: Rng>(
+        &self,
+        operator: OperatorId,
+        state: &State,
+        objects: &[ObjectId],
+        rng: &mut G,
+    ) -> Parameters {
+        let block = || Block::read(state, *objects.first()?);
+        let target = || Target::read(state, *objects.get(1)?);
+        let operator = OPERATORS.get(usize::from(operator.0));
+        parameters(operator.and_then(|operator| match operator.controller {
+            Self::PICK => Some(sample_pick(&block()?, rng)),
+            Self::PLACE => Some(sample_place(&target()?, rng)),
+            Self::PLACE_ON_TABLE => block().map(|block| block.pose + block.grasp),
+            _ => None,
+        }))
+    }
+}
