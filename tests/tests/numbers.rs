@@ -40,13 +40,13 @@ fn any_digits_with_any_exponent() {
         } else {
             0
         };
-        text.extend((rng.next_u32() % 3 == 0).then_some('-'));
+        text.extend(rng.next_u32().is_multiple_of(3).then_some('-'));
         text.extend((0..rng.next_u32() % (zeros + 1)).map(|_| '0'));
         text.extend((0..whole).map(|_| digit(&mut rng)));
         text.push('.');
         text.extend((0..rng.next_u32() % (zeros + 1)).map(|_| '0'));
         text.extend((0..fraction).map(|_| digit(&mut rng)));
-        if rng.next_u32() % 3 > 0 {
+        if !rng.next_u32().is_multiple_of(3) {
             let range = if rng.next_u32().is_multiple_of(2) {
                 700
             } else {

@@ -84,8 +84,8 @@ impl Formula {
     pub fn select(&self, mut keep: impl FnMut(&Conjunct) -> bool) -> Result<Formula, Error> {
         let mut selected = Formula::everything();
         let mut before = 0;
-        for (index, steps) in self.conjuncts()?.into_iter().enumerate() {
-            let steps = self.steps.get(steps).unwrap_or_default();
+        for (index, steps) in self.conjuncts()?.iter().enumerate() {
+            let steps = self.steps.get(steps.clone()).unwrap_or_default();
             let own = steps.iter().filter(|s| matches!(s, Step::Constraint(_)));
             let constraints = before..before + own.count();
             before = constraints.end;
