@@ -79,7 +79,7 @@ static void wrong_configurations(void)
     EXPECT(CRITREG_INVALID_ARGUMENT, critreg_config_init(&config, 0));
     /* The first version of the struct ended before `tracked`. */
     OK(critreg_config_init(&config, offsetof(critreg_config, tracked)));
-    OK(init(DOMAIN, &config));
+    EXPECT_TRUE(critreg_learner_size(&config) > 0);
     EXPECT(CRITREG_INVALID_ARGUMENT,
            critreg_config_init(&config, offsetof(critreg_config, tracked) - 8));
     EXPECT(CRITREG_INVALID_ARGUMENT, critreg_config_init(&config, sizeof config + 8));
