@@ -39,14 +39,17 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            141168 bytes           38896 bytes
- *           4096           256            560240 bytes           50672 bytes
- *          10000           256           1178980 bytes           59508 bytes
- *          20000           256           2171480 bytes           74512 bytes
+ *           1024           128            140080 bytes           35424 bytes
+ *           4096           256            556112 bytes           47200 bytes
+ *          10000           256           1168948 bytes           56036 bytes
+ *          20000           256           2151448 bytes           71040 bytes
  *
  * Every further instance takes hypotheses + 512 bytes more, every further step
- * 16 * hypotheses + 2560 at most. The macros of CRITREG_LEARNER_WORDS() are for
- * static arrays; they are enough for either learner.
+ * 16 * hypotheses + 5632 at most. On a small machine critreg_config.precision and
+ * critreg_config.tracked save most of it: 1024 hypotheses, 128 observations and 4
+ * instances take 48968 bytes with CRITREG_F32, nothing tracked and pointers of 32
+ * bits, in a library without CRITREG_ALGORITHM1. The macros of
+ * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
  *
  * A planner with the default capacities takes 230320 bytes, and 264 more for every
  * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
@@ -580,7 +583,8 @@
 #define CRITREG_MAX_STEPS 4
 
 /**
- * Most observations of CRITREG_VERSION_SPACE.
+ * Most observations of CRITREG_VERSION_SPACE; 256 in a library that was built without
+ * the feature many_observations.
  */
 #define CRITREG_MAX_OBSERVATIONS 2048
 

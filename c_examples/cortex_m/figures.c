@@ -124,11 +124,12 @@ static void print_sizes(void)
 {
     static const struct {
         const char *key;
-        uint32_t forms, observations;
+        uint32_t forms, observations, tracked;
     } sizes[] = {
-        {"ram_256_64", 256, 64},
-        {"ram_1024_128", 1024, 128},
-        {"ram_4096_256", 4096, 256},
+        {"ram_256_64", 256, 64, UINT32_MAX},
+        {"ram_1024_128", 1024, 128, UINT32_MAX},
+        {"ram_1024_128_untracked", 1024, 128, 0},
+        {"ram_4096_256", 4096, 256, UINT32_MAX},
     };
     size_t i;
     for (i = 0; i < sizeof sizes / sizeof *sizes; i++) {
@@ -136,6 +137,7 @@ static void print_sizes(void)
         (void)critreg_config_init(&config, sizeof config);
         config.hypotheses = sizes[i].forms;
         config.observations = sizes[i].observations;
+        config.tracked = sizes[i].tracked;
         config.instances = TRAINING;
         print(sizes[i].key, (double)critreg_learner_size(&config));
     }

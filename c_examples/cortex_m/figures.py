@@ -16,7 +16,11 @@ BEGIN, END = "<!-- figures -->\n", "<!-- end of figures -->\n"
 GROWTH = 1.05
 
 # A column each: what is computed with, and the features of the library.
-VARIANTS = {"f64": "halt"}
+VARIANTS = {
+    "f64": "halt f64",
+    "f32": "halt f32",
+    "f32, micromath": "halt micromath",
+}
 
 # A row each: the key, and what it is.
 ROWS = {
@@ -24,6 +28,7 @@ ROWS = {
     "c_library": "flash: what it takes from the C library and libgcc, bytes",
     "ram_256_64": "RAM: a learner with 256 forms, 64 observations, 4 instances, bytes",
     "ram_1024_128": "RAM: 1024 forms, 128 observations",
+    "ram_1024_128_untracked": "RAM: the same, with `tracked` = 0",
     "ram_4096_256": "RAM: 4096 forms, 256 observations",
     "stack": "deepest stack, bytes",
     "ask_mean": "instructions per `critreg_ask`, 1024 forms, mean of 100",

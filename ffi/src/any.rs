@@ -5,13 +5,16 @@ use crate::precision::Precision;
 use crate::precision::Single;
 use critreg_core::Error;
 use critreg_core::learn::version_space::{self, Evidence, VersionSpace};
-use critreg_core::learn::{self, Algorithm1, Answer, Learner, Observation, Problem, Query};
+#[cfg(feature = "algorithm1")]
+use critreg_core::learn::{self, Algorithm1};
+use critreg_core::learn::{Answer, Learner, Observation, Problem, Query};
 use critreg_core::real::Real;
 use critreg_core::region::Region;
 
 /// How much a learner of some kind has room for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Capacity {
+    #[cfg(feature = "algorithm1")]
     Algorithm1(learn::Capacity),
     VersionSpace(version_space::Capacity),
 }
@@ -20,6 +23,7 @@ impl Capacity {
     /// Hypotheses of the one, forms of the other.
     pub(crate) const fn hypotheses(self) -> usize {
         match self {
+            #[cfg(feature = "algorithm1")]
             Capacity::Algorithm1(capacity) => capacity.hypotheses,
             Capacity::VersionSpace(capacity) => capacity.forms,
         }
@@ -28,8 +32,10 @@ impl Capacity {
     /// The same with another number of hypotheses.
     pub(crate) const fn with_hypotheses(self, hypotheses: usize) -> Capacity {
         match self {
+            #[cfg(feature = "algorithm1")]
             Capacity::Algorithm1(mut capacity) => {
                 capacity.hypotheses = hypotheses;
+                #[cfg(feature = "algorithm1")]
                 Capacity::Algorithm1(capacity)
             }
             Capacity::VersionSpace(mut capacity) => {
@@ -42,11 +48,15 @@ impl Capacity {
 
 /// A learner of some kind. It lies in the memory of a handle, which has room for
 /// the larger one.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "there is no heap to put the larger one on"
+#[cfg_attr(
+    feature = "algorithm1",
+    expect(
+        clippy::large_enum_variant,
+        reason = "there is no heap to put the larger one on"
+    )
 )]
 pub(crate) enum Kind<R: 'static> {
+    #[cfg(feature = "algorithm1")]
     Algorithm1(Algorithm1<'static, R>),
     VersionSpace(VersionSpace<'static, R>),
 }
@@ -55,6 +65,7 @@ impl<R: Real> Kind<R> {
     /// The learner, whichever it is.
     fn any(&self) -> &dyn Learner {
         match self {
+            #[cfg(feature = "algorithm1")]
             Kind::Algorithm1(learner) => learner,
             Kind::VersionSpace(learner) => learner,
         }
@@ -62,6 +73,7 @@ impl<R: Real> Kind<R> {
 
     fn any_mut(&mut self) -> &mut dyn Learner {
         match self {
+            #[cfg(feature = "algorithm1")]
             Kind::Algorithm1(learner) => learner,
             Kind::VersionSpace(learner) => learner,
         }
@@ -70,6 +82,7 @@ impl<R: Real> Kind<R> {
     /// How learning went so far.
     fn report(&self) -> Report {
         match self {
+            #[cfg(feature = "algorithm1")]
             Kind::Algorithm1(learner) => Report::Algorithm1(learner.report()),
             Kind::VersionSpace(learner) => Report::VersionSpace(learner.report()),
         }
@@ -77,6 +90,7 @@ impl<R: Real> Kind<R> {
 
     fn evidence(&self) -> &[Evidence] {
         match self {
+            #[cfg(feature = "algorithm1")]
             Kind::Algorithm1(_) => &[],
             Kind::VersionSpace(learner) => learner.evidence(),
         }
@@ -85,6 +99,7 @@ impl<R: Real> Kind<R> {
 
 /// How learning went with a learner of some kind.
 pub(crate) enum Report {
+    #[cfg(feature = "algorithm1")]
     Algorithm1(learn::Report),
     VersionSpace(version_space::Report),
 }

@@ -1,6 +1,7 @@
 //! What a learner is told to do.
 
 use crate::any::Capacity;
+#[cfg(feature = "algorithm1")]
 use crate::pointer;
 use crate::precision::Precision;
 use crate::report::critreg_progress;
@@ -9,8 +10,12 @@ use crate::structs::{self, Versioned};
 use core::ffi::c_void;
 use core::mem::offset_of;
 use critreg_core::Error;
+#[cfg(feature = "algorithm1")]
 use critreg_core::domain::Domain;
-use critreg_core::learn::{self, version_space};
+#[cfg(feature = "algorithm1")]
+use critreg_core::learn;
+use critreg_core::learn::version_space;
+#[cfg(feature = "algorithm1")]
 use critreg_core::region::Theta;
 
 /// For critreg_config.learner: the learner of the thesis (Algorithm 1, 4.3). It
@@ -41,8 +46,11 @@ pub const CRITREG_DEFAULT_INSTANCES: u32 = 16;
 /// Most steps of a sequence of actions.
 pub const CRITREG_MAX_STEPS: u32 = 4;
 
-/// Most observations of CRITREG_VERSION_SPACE.
+/// Most observations of CRITREG_VERSION_SPACE; 256 in a library that was built without
+/// the feature many_observations.
 pub const CRITREG_MAX_OBSERVATIONS: u32 = 2048;
+
+const _: () = assert!(version_space::MAX_OBSERVATIONS <= CRITREG_MAX_OBSERVATIONS as usize);
 
 /// Fewest hypotheses that make a learner: the four comparisons of one pair.
 pub(crate) const FEWEST_HYPOTHESES: usize = 4;
@@ -164,7 +172,13 @@ pub(crate) unsafe fn read(config: *const critreg_config) -> Fallible<critreg_con
     let known = unsafe { structs::read(config, defaults(), "config")? };
     known.precision()?;
     match known.learner {
-        CRITREG_ALGORITHM1 | CRITREG_VERSION_SPACE => Ok(known),
+        CRITREG_VERSION_SPACE => Ok(known),
+        #[cfg(feature = "algorithm1")]
+        CRITREG_ALGORITHM1 => Ok(known),
+        #[cfg(not(feature = "algorithm1"))]
+        CRITREG_ALGORITHM1 => Err(Failure::invalid(
+            "the library was built without this learner",
+        )),
         _ => Err(Failure::invalid("there is no learner with this number")),
     }
 }
@@ -184,6 +198,7 @@ impl critreg_config {
         if (1..FEWEST_HYPOTHESES).contains(&(self.hypotheses as usize)) {
             return Err(Failure::invalid("a learner needs at least four hypotheses"));
         }
+        #[cfg(feature = "algorithm1")]
         if self.learner == CRITREG_ALGORITHM1 {
             return Ok(Capacity::Algorithm1(learn::Capacity {
                 hypotheses: self.hypotheses as usize,
@@ -196,9 +211,9 @@ impl critreg_config {
         if self.instances == 0 {
             return Err(Failure::invalid("a learner has at least one instance"));
         }
-        if observations > CRITREG_MAX_OBSERVATIONS {
+        if observations as usize > version_space::MAX_OBSERVATIONS {
             return Err(Failure::invalid(
-                "this learner has room for at most 2048 observations",
+                "this learner has room for at most 2048 observations, or 256 in a small build",
             ));
         }
         Ok(Capacity::VersionSpace(version_space::Capacity {
@@ -215,6 +230,7 @@ impl critreg_config {
     /// # Safety
     /// `negative` and `positive`, if not NULL and aligned, have a readable number
     /// for every parameter of the domain.
+    #[cfg(feature = "algorithm1")]
     pub(crate) unsafe fn algorithm1(&self, domain: &Domain<'_>) -> Fallible<learn::Config> {
         // SAFETY: by this function's contract, for both.
         let (negative, positive) = unsafe {
@@ -251,6 +267,7 @@ impl critreg_config {
 
 /// # Safety
 /// As for [`critreg_config::algorithm1`].
+#[cfg(feature = "algorithm1")]
 unsafe fn sample(
     numbers: *const f64,
     domain: &Domain<'_>,

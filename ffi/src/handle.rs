@@ -31,8 +31,17 @@ pub(crate) unsafe fn put<H: Handle>(place: *mut H, handle: H) {
     // SAFETY: by this function's contract; handles need no drop.
     unsafe {
         place.write(handle);
-        H::seal(place).cast_mut().write(seal_at::<H>(place.addr()));
+        seal(place);
     }
+}
+
+/// Seals a handle that was written but for its seal.
+///
+/// # Safety
+/// As for [`put`].
+pub(crate) unsafe fn seal<H: Handle>(place: *mut H) {
+    // SAFETY: by this function's contract.
+    unsafe { H::seal(place).cast_mut().write(seal_at::<H>(place.addr())) }
 }
 
 /// Breaks the seal of whatever lies in the memory of a handle.

@@ -10,9 +10,12 @@ use crate::precision::Single;
 use crate::region::critreg_region;
 use crate::status::Fallible;
 use critreg_core::domain::{Domain, Node};
-use critreg_core::learn::version_space::{self, Cover, Sample, Span, VersionSpace};
-use critreg_core::learn::{self, Algorithm1, Bounds, Observation};
+use critreg_core::learn::Observation;
+use critreg_core::learn::version_space::{self, Cover, Evidence, Sample, Span, VersionSpace};
+#[cfg(feature = "algorithm1")]
+use critreg_core::learn::{self, Algorithm1, Bounds};
 use critreg_core::real::Real;
+use critreg_core::region::Region;
 
 /// The parts of a learner.
 pub(crate) struct LearnerLayout {
@@ -33,10 +36,12 @@ enum Tables {
 
 /// The tables of each kind of learner.
 enum KindTables<R> {
+    #[cfg(feature = "algorithm1")]
     Algorithm1(Algorithm1Tables<R>),
     VersionSpace(VersionSpaceTables<R>),
 }
 
+#[cfg(feature = "algorithm1")]
 struct Algorithm1Tables<R> {
     capacity: learn::Capacity,
     features: Part<Node>,
@@ -49,20 +54,23 @@ struct Algorithm1Tables<R> {
 struct VersionSpaceTables<R> {
     capacity: version_space::Capacity,
     features: Part<Node>,
-    values: Part<R>,
     columns: Part<u16>,
     instances: Part<R>,
     spans: Part<Span<R>>,
     bits: Part<u64>,
     rows: Part<R>,
+    sets: Part<u64>,
     covers: Part<Cover<R>>,
     samples: Part<Sample>,
     observations: Part<Observation>,
+    support: Part<Evidence>,
+    region: Part<Region>,
 }
 
 impl<R> KindTables<R> {
     const fn new(packer: &mut Packer, capacity: Capacity) -> Option<Self> {
         match capacity {
+            #[cfg(feature = "algorithm1")]
             Capacity::Algorithm1(capacity) => match Algorithm1Tables::new(packer, capacity) {
                 Some(tables) => Some(KindTables::Algorithm1(tables)),
                 None => None,
@@ -87,6 +95,7 @@ impl<R: Real> KindTables<R> {
         config: &critreg_config,
     ) -> Fallible<Kind<R>> {
         match self {
+            #[cfg(feature = "algorithm1")]
             KindTables::Algorithm1(tables) => {
                 // SAFETY: by this function's contract; the parts do not overlap.
                 let (settings, memory) = unsafe {
@@ -108,15 +117,17 @@ impl<R: Real> KindTables<R> {
                 let memory = unsafe {
                     version_space::Memory {
                         features: tables.features.fill(memory, Node::Number(0.0)),
-                        values: tables.values.fill(memory, R::ZERO),
                         columns: tables.columns.fill(memory, 0),
                         instances: tables.instances.fill(memory, R::ZERO),
                         spans: tables.spans.fill(memory, Default::default()),
                         bits: tables.bits.fill(memory, 0),
                         rows: tables.rows.fill(memory, R::ZERO),
+                        sets: tables.sets.fill(memory, 0),
                         covers: tables.covers.fill(memory, Default::default()),
                         samples: tables.samples.fill(memory, Default::default()),
                         observations: tables.observations.fill(memory, Default::default()),
+                        support: tables.support.fill(memory, Default::default()),
+                        region: tables.region.put(memory, Region::default),
                     }
                 };
                 let learner = VersionSpace::new(domain, settings, tables.capacity, memory)?;
@@ -126,6 +137,7 @@ impl<R: Real> KindTables<R> {
     }
 }
 
+#[cfg(feature = "algorithm1")]
 impl<R> Algorithm1Tables<R> {
     const fn new(packer: &mut Packer, capacity: learn::Capacity) -> Option<Self> {
         Some(Algorithm1Tables {
@@ -160,11 +172,13 @@ impl<R> VersionSpaceTables<R> {
         Some(VersionSpaceTables {
             capacity,
             features: append!(packer, capacity.features()),
-            values: append!(packer, capacity.features()),
             instances: append!(packer, capacity.instance_values()),
             spans: append!(packer, capacity.spans()),
             bits: append!(packer, capacity.bits()),
             rows: append!(packer, capacity.rows()),
+            sets: append!(packer, capacity.sets()),
+            region: append!(packer, 1),
+            support: append!(packer, capacity.support()),
             covers: append!(packer, capacity.covers()),
             observations: append!(packer, capacity.observations),
             samples: append!(packer, capacity.observations),
@@ -284,19 +298,22 @@ const _: () = {
             let observations = OBSERVATIONS[at % OBSERVATIONS.len()];
             let (instances, steps) = SHAPES[at / OBSERVATIONS.len()];
             let bytes = promised(forms, observations, instances, steps);
-            let first = learn::Capacity {
-                hypotheses: forms,
-                observations,
-            };
-            let second = version_space::Capacity {
+            let capacity = version_space::Capacity {
                 forms,
                 tracked: usize::MAX,
                 observations,
                 instances,
                 steps,
             };
-            assert!(fits(Capacity::Algorithm1(first), bytes));
-            assert!(fits(Capacity::VersionSpace(second), bytes));
+            #[cfg(feature = "algorithm1")]
+            {
+                let first = learn::Capacity {
+                    hypotheses: forms,
+                    observations,
+                };
+                assert!(fits(Capacity::Algorithm1(first), bytes));
+            }
+            assert!(fits(Capacity::VersionSpace(capacity), bytes));
             at += 1;
         }
         forms = forms * 3 / 2 + 1;

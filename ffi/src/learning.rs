@@ -139,7 +139,7 @@ fn answer(outcome: critreg_outcome) -> Fallible<Answer> {
 /// Copies the learned region into its handle. The copy is what makes the handle
 /// refer to no memory that the learner writes to.
 fn give_region(handle: &critreg_learner, inner: &mut Inner) -> Fallible<*const critreg_region> {
-    let region = inner.learner.region()?.clone();
+    let region = inner.learner.region()?;
     // SAFETY: the region's part is reserved for the handle; the header forbids to
     // use the handle while a function runs that may change the learner.
     unsafe {

@@ -107,6 +107,19 @@ impl<T> Part<T> {
         unsafe { self.fill_with(memory, || value.clone()) }
     }
 
+    /// Makes the only value of the part where it lies, and lends it.
+    ///
+    /// # Safety
+    /// As for [`Part::fill`].
+    pub(crate) unsafe fn put(&self, memory: *mut u8, value: impl FnOnce() -> T) -> &'static mut T {
+        // SAFETY: by this function's contract; the place is aligned for the value.
+        unsafe {
+            let place = self.place(memory);
+            place.write(value());
+            &mut *place
+        }
+    }
+
     /// As [`Part::fill`], each value made by a call.
     ///
     /// # Safety

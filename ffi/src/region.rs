@@ -45,31 +45,32 @@ unsafe impl Handle for critreg_region {
 }
 
 impl critreg_region {
-    /// Writes a handle; what lay there before is lost.
+    /// Writes a handle with a copy of a region, field by field, because it is large; what
+    /// lay there before is lost.
     ///
     /// # Safety
     /// As for [`handle::put`].
     pub(crate) unsafe fn put(
         place: *mut critreg_region,
         domain: &'static Domain<'static>,
-        region: Region,
+        region: &Region,
         precision: Precision,
         support: &[Evidence],
     ) {
-        let mut evidence = [Evidence::default(); MAX_CONSTRAINTS];
-        for (slot, own) in evidence.iter_mut().zip(support) {
-            *slot = *own;
+        // SAFETY: by this function's contract; the fields lie inside of the handle, and it
+        // is whole when it is sealed.
+        unsafe {
+            (&raw mut (*place).domain).write(domain);
+            (&raw mut (*place).precision).write(precision);
+            (&raw mut (*place).known).write(support.len());
+            (&raw mut (*place).region).write(Region::default());
+            (&raw mut (*place).evidence).write([Evidence::default(); MAX_CONSTRAINTS]);
+            (*place).region.copy_from(region);
+            for (slot, own) in (*place).evidence.iter_mut().zip(support) {
+                *slot = *own;
+            }
+            handle::seal(place);
         }
-        let handle = critreg_region {
-            seal: 0,
-            domain,
-            region,
-            precision,
-            evidence,
-            known: support.len(),
-        };
-        // SAFETY: by this function's contract.
-        unsafe { handle::put(place, handle) }
     }
 
     /// What supports a constraint, if that is known.
@@ -223,7 +224,7 @@ unsafe fn make(
         handle::retire(place);
         let domain = layout.domain.put(memory, domain_text)?;
         let region = Region::parse(domain, text)?;
-        critreg_region::put(place, domain, region, Precision::DEFAULT, &[]);
+        critreg_region::put(place, domain, &region, Precision::DEFAULT, &[]);
         output.write(place);
     }
     Ok(())

@@ -4,7 +4,9 @@ use crate::any::{AnyLearner, Report};
 use crate::status::{critreg_status, status_of};
 use crate::structs::{self, Versioned};
 use core::ffi::c_void;
-use critreg_core::learn::{self, version_space};
+#[cfg(feature = "algorithm1")]
+use critreg_core::learn;
+use critreg_core::learn::version_space;
 
 /// In a critreg_report: this did not happen (yet), or never does in this learner.
 pub const CRITREG_NOT_RUN: u64 = u64::MAX;
@@ -98,11 +100,13 @@ pub type critreg_progress = Option<
 impl critreg_report {
     pub(crate) fn new(learner: &AnyLearner) -> Self {
         match learner.report() {
+            #[cfg(feature = "algorithm1")]
             Report::Algorithm1(report) => Self::of_algorithm1(&report),
             Report::VersionSpace(report) => Self::of_version_space(&report),
         }
     }
 
+    #[cfg(feature = "algorithm1")]
     fn of_algorithm1(report: &learn::Report) -> Self {
         let counted = |count: Option<usize>| count.map_or(CRITREG_NOT_RUN, |n| n as u64);
         critreg_report {

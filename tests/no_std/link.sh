@@ -24,15 +24,19 @@ functions() {
     grep -v '^ *\*\|^#\|^typedef' "$here/../../include/critreg.h" | grep -o '\bcritreg_[a-z0-9_]*(' | tr -d '('
 }
 
+own() {
+    grep -hoE '\bno_std_(learn|plan_[a-z_]+)\b' "$here"/src/*.rs | sort -u
+}
+
 # Everything is referred to: what is not would be dropped.
 table=$output/all.c
 mkdir -p "$output"
 {
-    for function in $(functions) no_std_learn no_std_plan; do
+    for function in $(functions) $(own); do
         echo "void $function(void);"
     done
     echo "void (*const all[])(void) = {"
-    for function in $(functions) no_std_learn no_std_plan; do
+    for function in $(functions) $(own); do
         echo "    $function,"
     done
     echo "};"

@@ -64,12 +64,12 @@ fn learning_and_drawing() {
     let instances = instances(7, 4);
     let capacity = Capacity {
         forms: 4096,
-        tracked: usize::MAX,
+        tracked: 4096,
         observations: 128,
         instances: 4,
         steps: 1,
     };
-    let mut room = VersionSpaceRoom::new(capacity);
+    let mut room = VersionSpaceRoom::<f64>::new(capacity);
     let (mut bytes, mut words) = (vec![0; 8192], vec![0; 2048]);
     let (calls, drawn) = calls(|| -> Result<bool, critreg::Error> {
         let domain = Domain::parse(StickButton::PICK_DOMAIN)?;

@@ -59,7 +59,7 @@ fn config(seed: u64) -> Config {
 
 /// What is learned from 100 calls, and all parameters that were asked for.
 fn learn(problem: &Problem<'_>, seed: u64) -> (Option<Region>, Vec<Theta>) {
-    let mut room = VersionSpaceRoom::new(capacity());
+    let mut room = VersionSpaceRoom::<f64>::new(capacity());
     let memory = room.lend();
     let mut learner =
         VersionSpace::new(problem.domain(), config(seed), capacity(), memory).unwrap();
@@ -174,7 +174,7 @@ fn other_proposals_are_another_problem() {
     same[0][2] = f64::NAN;
     assert_eq!(fingerprint(&same), prints[1]);
 
-    let mut room = VersionSpaceRoom::new(capacity());
+    let mut room = VersionSpaceRoom::<f64>::new(capacity());
     let memory = room.lend();
     let mut learner = VersionSpace::new(&domain, config(3), capacity(), memory).unwrap();
     let helped = problem.with_proposals(&proposals).unwrap();

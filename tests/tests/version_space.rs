@@ -278,7 +278,7 @@ fn learn_tracking(
 ) -> (Vec<Observation>, String, Vec<Evidence>) {
     let instances = scenario.draw(5, scenario.instances);
     let problem = Problem::new(&scenario.domain, &instances, scenario.instances).unwrap();
-    let mut room = VersionSpaceRoom::new(Capacity {
+    let mut room = VersionSpaceRoom::<f64>::new(Capacity {
         forms: 1024,
         tracked,
         observations: scenario.calls as usize,

@@ -1,7 +1,7 @@
 //! Formulas as what they join by `and`.
 
-use super::formula::{Constraint, Formula, MAX_CONSTRAINTS, Step};
-use crate::domain::copy;
+use super::formula::{Constraint, Formula, Inequality, MAX_CONSTRAINTS, Step};
+use crate::domain::{Node, copy, is_same};
 use crate::error::Error;
 use core::ops::Range;
 use heapless::Vec;
@@ -15,7 +15,67 @@ pub struct Conjunct {
     pub constraints: Range<usize>,
 }
 
+/// A walk along a formula that tells whether [`Formula::and`] made it of certain
+/// statements.
+pub(crate) struct FormulaComparison<'f> {
+    formula: &'f Formula,
+    constraints: usize,
+    steps: usize,
+}
+
+impl FormulaComparison<'_> {
+    /// Whether the next statement says that one of these inequalities holds; their terms
+    /// are in `nodes`.
+    pub(crate) fn next_is(&mut self, nodes: &[Node], any_of: &[Inequality]) -> bool {
+        let joined = self.steps > 0;
+        let mut same = true;
+        for (index, own) in any_of.iter().enumerate() {
+            same &= self.is_constraint(nodes, own);
+            same &= index == 0 || self.is_step(Step::Or);
+        }
+        same && (!joined || any_of.is_empty() || self.is_step(Step::And))
+    }
+
+    /// Whether there is no further statement.
+    pub(crate) fn is_at_end(&self) -> bool {
+        self.steps == self.formula.steps.len()
+    }
+
+    fn is_constraint(&mut self, nodes: &[Node], own: &Inequality) -> bool {
+        let place = self.constraints;
+        self.constraints += 1;
+        let known = self.formula.constraints.get(place).is_some_and(|other| {
+            let ours = &self.formula.nodes;
+            let right = Node::Number(own.bound);
+            let named = match (other.name, own.name) {
+                (None, None) => true,
+                (Some(a), Some(b)) => is_same(ours, a, nodes, b),
+                _ => false,
+            };
+            named
+                && other.comparison == own.comparison
+                && ours.get(usize::from(other.right.0)) == Some(&right)
+                && is_same(ours, other.left, nodes, own.left)
+        });
+        known && u8::try_from(place).is_ok_and(|place| self.is_step(Step::Constraint(place)))
+    }
+
+    fn is_step(&mut self, step: Step) -> bool {
+        self.steps += 1;
+        self.formula.steps.get(self.steps - 1) == Some(&step)
+    }
+}
+
 impl Formula {
+    /// A walk from its beginning, to compare it with statements.
+    pub(crate) fn comparison(&self) -> FormulaComparison<'_> {
+        FormulaComparison {
+            formula: self,
+            constraints: 0,
+            steps: 0,
+        }
+    }
+
     /// The formula made of some of its conjuncts.
     ///
     /// # Errors
@@ -24,8 +84,8 @@ impl Formula {
     pub fn select(&self, mut keep: impl FnMut(&Conjunct) -> bool) -> Result<Formula, Error> {
         let mut selected = Formula::everything();
         let mut before = 0;
-        for (index, steps) in self.conjuncts()?.into_iter().enumerate() {
-            let steps = self.steps.get(steps).unwrap_or_default();
+        for (index, steps) in self.conjuncts()?.iter().enumerate() {
+            let steps = self.steps.get(steps.clone()).unwrap_or_default();
             let own = steps.iter().filter(|s| matches!(s, Step::Constraint(_)));
             let constraints = before..before + own.count();
             before = constraints.end;

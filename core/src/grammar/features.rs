@@ -142,15 +142,12 @@ impl<'m, R: Real> Features<'m, R> {
 
     /// Computes every feature at a sample, each once.
     pub fn evaluate(&mut self, scene: &Scene<'_, R>, theta: &[R]) {
-        let sample: Sample<'_, '_, R, R> = scene.sample(theta);
-        for (index, node) in self.nodes.as_slice().iter().enumerate() {
-            let values = &*self.values;
-            let operand = |id: NodeId| values.get(usize::from(id.0)).copied().unwrap_or(R::ZERO);
-            let value = sample.node(*node, operand);
-            if let Some(slot) = self.values.get_mut(index) {
-                *slot = value;
-            }
-        }
+        evaluate(self.nodes.as_slice(), scene, theta, self.values);
+    }
+
+    /// As [`Features::evaluate`], into a table of the caller's.
+    pub(crate) fn evaluate_into(&self, scene: &Scene<'_, R>, theta: &[R], values: &mut [R]) {
+        evaluate(self.nodes.as_slice(), scene, theta, values);
     }
 
     fn enumerate_lefts(&mut self, domain: &Domain<'_>) {
@@ -302,6 +299,18 @@ impl<'m, R: Real> Features<'m, R> {
 
     fn is_scaled_from(&self, scaled: usize, leaf: usize) -> bool {
         matches!(self.nodes().get(scaled), Some(Node::Product(_, of)) if *of == feature_id(leaf))
+    }
+}
+
+fn evaluate<R: Real>(nodes: &[Node], scene: &Scene<'_, R>, theta: &[R], values: &mut [R]) {
+    let sample: Sample<'_, '_, R, R> = scene.sample(theta);
+    for (index, node) in nodes.iter().enumerate() {
+        let known = &*values;
+        let operand = |id: NodeId| known.get(usize::from(id.0)).copied().unwrap_or(R::ZERO);
+        let value = sample.node(*node, operand);
+        if let Some(slot) = values.get_mut(index) {
+            *slot = value;
+        }
     }
 }
 

@@ -189,6 +189,20 @@ impl Formula {
         added
     }
 
+    /// Makes it the same as another, where it lies.
+    pub(crate) fn copy_from(&mut self, other: &Formula) {
+        self.clear();
+        // There is room: both have the same.
+        let _ = self.nodes.extend_from_slice(&other.nodes);
+        let _ = self.constraints.extend_from_slice(&other.constraints);
+        let _ = self.steps.extend_from_slice(&other.steps);
+    }
+
+    /// Makes it hold for every sample.
+    pub(crate) fn clear(&mut self) {
+        self.truncate((0, 0, 0));
+    }
+
     fn add(&mut self, nodes: &[Node], any_of: &[Inequality]) -> Result<(), Error> {
         let joined = !self.steps.is_empty();
         for (index, own) in any_of.iter().enumerate() {

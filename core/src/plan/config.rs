@@ -22,10 +22,10 @@ pub struct Config {
     /// Most samples, each of which runs a controller: the budget that stands for
     /// time, so that the same inputs always end in the same way.
     pub max_samples: u32,
-    /// How many nodes are expanded and samples drawn with advice, of which a guide
-    /// or a sampler is the source. If there is no plan by then, planning begins anew
-    /// without any, and so do the limits above. So wrong advice costs at most so
-    /// much, but never a plan.
+    /// How many nodes are expanded and samples drawn after the first objection of a
+    /// guide or a sampler. If there is no plan by then, planning begins anew without
+    /// advice, and so do the limits above. So wrong advice costs at most so much, but
+    /// never a plan.
     pub patience: u32,
 }
 

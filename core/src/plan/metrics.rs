@@ -34,6 +34,8 @@ pub struct Metrics<'m> {
     pub plan_length: u32,
     /// Counts that found no place in the two tables below.
     pub uncounted: u32,
+    /// The effort at the first objection.
+    first_objection: Option<u32>,
     failures: &'m mut [u32],
     reasons: &'m mut [u32],
 }
@@ -106,8 +108,13 @@ impl<'m> Metrics<'m> {
 
     /// Whether it is time to go on without advice.
     pub(super) fn is_patience_spent(&self, config: &Config) -> bool {
-        let effort = self.nodes_expanded.saturating_add(self.samples);
-        self.is_advised() && (effort >= config.patience || self.spent().exceeds(config))
+        let since = |first| self.effort().saturating_sub(first) >= config.patience;
+        let tired = self.first_objection.is_some_and(since);
+        self.is_advised() && (tired || self.spent().exceeds(config))
+    }
+
+    fn effort(&self) -> u32 {
+        self.nodes_expanded.saturating_add(self.samples)
     }
 
     /// From here on advice no longer counts.
@@ -121,6 +128,8 @@ impl<'m> Metrics<'m> {
     }
 
     pub(super) fn blame(&mut self, ReasonId(reason): ReasonId) {
+        let effort = self.effort();
+        self.first_objection.get_or_insert(effort);
         let counter = self.reasons.get_mut(usize::from(reason));
         *counter.unwrap_or(&mut self.uncounted) += 1;
     }

@@ -63,6 +63,18 @@ pub struct Region {
     fingerprint: u32,
 }
 
+impl Default for Region {
+    /// A place for a region: it admits everything, and belongs to a domain without text.
+    fn default() -> Self {
+        Region {
+            formula: Formula::everything(),
+            points: PointSet::default(),
+            relevant: 0,
+            fingerprint: 0,
+        }
+    }
+}
+
 impl Region {
     /// The region of the samples for which `formula` holds.
     pub fn new(domain: &Domain<'_>, formula: Formula) -> Region {
@@ -73,6 +85,43 @@ impl Region {
             fingerprint: domain.fingerprint(),
             formula,
         }
+    }
+
+    /// Makes it a region of this domain that admits everything.
+    pub(crate) fn clear(&mut self, domain: &Domain<'_>) {
+        self.formula.clear();
+        self.settle(domain);
+    }
+
+    /// Replaces its formula where it lies by what `write` makes of one that holds for
+    /// every sample.
+    ///
+    /// # Errors
+    /// Those of `write`; what it wrote then stays.
+    pub(crate) fn rewrite(
+        &mut self,
+        domain: &Domain<'_>,
+        write: impl FnOnce(&mut Formula) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        self.formula.clear();
+        let written = write(&mut self.formula);
+        self.settle(domain);
+        written
+    }
+
+    /// Makes it the same as another, where it lies.
+    pub fn copy_from(&mut self, other: &Region) {
+        self.formula.copy_from(&other.formula);
+        self.points = other.points;
+        self.relevant = other.relevant;
+        self.fingerprint = other.fingerprint;
+    }
+
+    /// Finds out what its formula speaks about.
+    fn settle(&mut self, domain: &Domain<'_>) {
+        self.points = PointSet::of(domain, self.formula.nodes());
+        self.relevant = self.points.parameters(domain, self.formula.nodes());
+        self.fingerprint = domain.fingerprint();
     }
 
     /// Reads a region from its text; for the grammar see [`Formula`].

@@ -1,16 +1,20 @@
 //! Planning with the core: a skill is learned, and planned with.
 
 use critreg::Error;
-use critreg::domain::{Atoms, Environment, GroundOperator, State, Task, ground_operators};
+use critreg::domain::{Atoms, GroundOperator, State, Task, ground_operators};
+use critreg::env::blocks::Blocks;
+use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
+use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
+use critreg::env::shelf::Shelf;
 use critreg::env::stick_button::StickButton;
-use critreg::plan::skill::{Changes, Informed, Skill, Skills, Training, TrainingMemory};
+use critreg::plan::skill::{Changes, Describe, Informed, Skill, Skills, Training, TrainingMemory};
 use critreg::plan::{AbstractTask, Conclusion, Config, Memory, Planner, ReasonId, Simulated};
 use critreg::random::generator;
 use critreg::text::TextBuffer;
 
 /// What the caller lends and asks for. Nothing of it is known when compiling.
-pub struct Room {
-    environment: StickButton,
+pub struct Room<E> {
+    environment: E,
     tasks: &'static [Task],
     skill: usize,
     training: Training,
@@ -24,13 +28,28 @@ pub struct Room {
     text: [u8; 512],
 }
 
-/// Whether there is a plan, or a reason why there is none.
-#[unsafe(no_mangle)]
-pub fn no_std_plan(room: Room) -> bool {
-    plan(room).unwrap_or(false)
+/// Whether there is a plan, or a reason why there is none, in every built-in environment.
+macro_rules! plan_in {
+    ($($name:ident $environment:ty;)*) => {$(
+        #[unsafe(no_mangle)]
+        pub fn $name(room: Room<$environment>) -> bool {
+            plan(room).unwrap_or(false)
+        }
+    )*};
 }
 
-fn plan(mut room: Room) -> Result<bool, Error> {
+plan_in! {
+    no_std_plan_blocks Blocks;
+    no_std_plan_cluttered_table ClutteredTable;
+    no_std_plan_cluttered_table_place ClutteredTablePlace;
+    no_std_plan_cover Cover;
+    no_std_plan_cover_regrasp CoverRegrasp;
+    no_std_plan_cover_regional_bumpy RegionalBumpyCover;
+    no_std_plan_shelf Shelf;
+    no_std_plan_stick_button StickButton;
+}
+
+fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {
     let environment = &room.environment;
     let mut skills = Skills::new(environment, &mut room.skills, &mut room.changes)?;
     skills.learn(

@@ -163,7 +163,7 @@ fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
         // It knows only actions with parameters.
         Err(_) => Run::default(),
     };
-    let mut room = VersionSpaceRoom::new(version_space::Capacity {
+    let mut room = VersionSpaceRoom::<f64>::new(version_space::Capacity {
         forms: 12_000,
         tracked: usize::MAX,
         observations,

@@ -30,7 +30,7 @@ impl Learned {
         let instances = scenario.draw(SEED, scenario.instances);
         let domain = &scenario.domain;
         let problem = Problem::new(domain, &instances, scenario.instances).expect("valid");
-        let mut room = VersionSpaceRoom::new(Capacity {
+        let mut room = VersionSpaceRoom::<f64>::new(Capacity {
             forms: 12_000,
             tracked: usize::MAX,
             observations: scenario.calls as usize,

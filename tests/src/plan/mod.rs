@@ -34,7 +34,7 @@ pub struct Room {
 }
 
 impl Room {
-    /// Memory for so many nodes, and for skeletons of up to 16 operators.
+    /// Memory for so many nodes, and for skeletons of up to 32 operators.
     pub fn new(nodes: usize) -> Room {
         Room {
             progress: vec![Progress::default(); MAX_OPERATORS],
@@ -42,7 +42,7 @@ impl Room {
             cache: vec![Cached::default(); CACHE],
             nodes: vec![SearchNode::default(); nodes],
             open: vec![Waiting::default(); nodes],
-            steps: vec![Step::default(); 16],
+            steps: vec![Step::default(); 32],
             failures: vec![0; LIFTED],
             reasons: vec![0; MAX_OPERATORS],
         }

@@ -7,10 +7,10 @@ use crate::lottery::Lottery;
 use crate::plan::Room;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn_from};
 use critreg::Error;
-use critreg::domain::{Environment, Task};
+use critreg::domain::{ControllerId, Environment, Task};
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
-use critreg::env::cover::Cover;
+use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
 use critreg::plan::skill::{Describe, Learned, Skill, Skills, Training};
 use critreg::random::{Generator, generator};
@@ -20,13 +20,15 @@ const TASKS: usize = 30;
 /// Training tasks to choose instances from.
 const TRAINING: usize = 100;
 /// Nodes of the search.
-const NODES: usize = 20_000;
+const NODES: usize = 200_000;
 /// Learning begins with this seed; those below were used while the defaults were chosen.
 const FIRST_SEED: u64 = 1000;
 
 /// The names of the environments. In the last one there is nothing to learn.
-pub const NAMES: [&str; 6] = [
+pub const NAMES: [&str; 8] = [
     "cover",
+    "regional_bumpy_cover",
+    "cover_regrasp",
     "cluttered_table",
     "cluttered_table_place",
     "blocks",
@@ -43,10 +45,10 @@ pub fn training() -> Training {
             slack: 0.0,
             ..Default::default()
         },
-        chained: 60,
+        chained: 50,
         tasks: 12,
         instances: 30,
-        states: 30,
+        states: 26,
     }
 }
 
@@ -58,6 +60,15 @@ pub fn print(names: &[&str], seeds: u64) {
             "cover" => {
                 let task = |index, rng: &mut _| Cover.task(index, rng);
                 recorded(name, &Cover, &golden::COVER, task, seeds);
+            }
+            "regional_bumpy_cover" => {
+                let (environment, recording) = (RegionalBumpyCover, &golden::REGIONAL_BUMPY_COVER);
+                let task = |index, rng: &mut _| environment.task(index, rng);
+                recorded(name, &environment, recording, task, seeds);
+            }
+            "cover_regrasp" => {
+                let task = |index, rng: &mut _| CoverRegrasp.task(index, rng);
+                recorded(name, &CoverRegrasp, &golden::COVER_REGRASP, task, seeds);
             }
             "cluttered_table" => {
                 let task = |_, rng: &mut _| ClutteredTable.task(5, rng);
@@ -134,6 +145,7 @@ fn evaluate<E: Describe>(
         let mut skills = skill_room.lend(environment);
         let learned = train(environment, &task, seed, &mut skills, &mut training_room);
         let learned = learned.expect("learning does not fail");
+        print_budgets(environment, &skills, &learned);
         for (index, learned) in learned.iter().enumerate() {
             let judged = judge(environment, &mut skills, index, tests, &mut training_room);
             print_skill(environment, &skills, index, learned, &judged);
@@ -168,6 +180,26 @@ pub fn train<E: Describe>(
     learn_from(environment, skills, &tasks, seed, &training(), room)
 }
 
+/// Prints what it took to learn all skills of each controller.
+fn print_budgets<E: Describe>(environment: &E, skills: &Skills<'_>, learned: &[Learned]) {
+    for (id, controller) in (0..).map(ControllerId).zip(environment.controllers()) {
+        let pairs = skills.iter().zip(learned);
+        let own: Vec<&Learned> = pairs
+            .filter(|(skill, _)| skill.description().own == id)
+            .map(|(_, learned)| learned)
+            .collect();
+        if !own.is_empty() {
+            let tasks = own.iter().map(|learned| learned.tasks).max();
+            let calls: u32 = own.iter().map(|learned| learned.calls).sum();
+            println!(
+                "controller: {}, tasks {}, calls {calls}",
+                controller.name,
+                tasks.unwrap_or(0)
+            );
+        }
+    }
+}
+
 /// Prints a line about a skill, and its region.
 fn print_skill<E: Describe>(
     environment: &E,
@@ -189,7 +221,7 @@ fn print_skill<E: Describe>(
 
 /// The controllers of a skill.
 fn title<E: Environment>(environment: &E, skill: &Skill) -> String {
-    let name = |id: critreg::domain::ControllerId| {
+    let name = |id: ControllerId| {
         environment.controllers()[usize::from(id.0)]
             .name
             .to_string()

@@ -2,55 +2,63 @@
 
 use critreg::domain::Node;
 use critreg::learn::Observation;
-use critreg::learn::version_space::{Capacity, Cover, Memory, Sample, Span};
+use critreg::learn::version_space::{Capacity, Cover, Evidence, Memory, Sample, Span};
+use critreg::real::Real;
+use critreg::region::Region;
 
 /// Memory for a version-space learner of some capacity.
-pub struct VersionSpaceRoom {
+pub struct VersionSpaceRoom<R = f64> {
     /// What there is room for.
     pub capacity: Capacity,
     features: Vec<Node>,
-    values: Vec<f64>,
     columns: Vec<u16>,
-    instances: Vec<f64>,
-    spans: Vec<Span<f64>>,
+    instances: Vec<R>,
+    spans: Vec<Span<R>>,
     bits: Vec<u64>,
-    rows: Vec<f64>,
-    covers: Vec<Cover<f64>>,
+    rows: Vec<R>,
+    sets: Vec<u64>,
+    covers: Vec<Cover<R>>,
     samples: Vec<Sample>,
     observations: Vec<Observation>,
+    support: Vec<Evidence>,
+    region: Region,
 }
 
-impl VersionSpaceRoom {
+impl<R: Real> VersionSpaceRoom<R> {
     /// Room of this capacity.
     pub fn new(capacity: Capacity) -> Self {
         VersionSpaceRoom {
             capacity,
             features: vec![Node::Number(0.0); capacity.features()],
-            values: vec![0.0; capacity.features()],
             columns: vec![0; capacity.features()],
-            instances: vec![0.0; capacity.instance_values()],
+            instances: vec![R::ZERO; capacity.instance_values()],
             spans: vec![Span::default(); capacity.spans()],
             bits: vec![0; capacity.bits()],
-            rows: vec![0.0; capacity.rows()],
+            rows: vec![R::ZERO; capacity.rows()],
+            sets: vec![0; capacity.sets()],
             covers: vec![Cover::default(); capacity.covers()],
             samples: vec![Sample::default(); capacity.observations],
             observations: vec![Observation::default(); capacity.observations],
+            support: vec![Evidence::default(); capacity.support()],
+            region: Region::default(),
         }
     }
 
     /// The tables, lent to one learner.
-    pub fn lend(&mut self) -> Memory<'_, f64> {
+    pub fn lend(&mut self) -> Memory<'_, R> {
         Memory {
             features: &mut self.features,
-            values: &mut self.values,
             columns: &mut self.columns,
             instances: &mut self.instances,
             spans: &mut self.spans,
             bits: &mut self.bits,
             rows: &mut self.rows,
+            sets: &mut self.sets,
             covers: &mut self.covers,
             samples: &mut self.samples,
             observations: &mut self.observations,
+            support: &mut self.support,
+            region: &mut self.region,
         }
     }
 }

@@ -1,10 +1,13 @@
 //! Statements that place things: shapes and points.
 
-use super::DomainParser;
+use super::{DomainParser, MAX_TERMS};
 use crate::domain::expression::node_at;
-use crate::domain::{Base, Dependence, Dimension, Member, Node, NodeId, Point, Shape, intern};
+use crate::domain::{
+    Base, Dependence, Dimension, Member, Node, NodeId, Point, Shape, copy, intern,
+};
 use crate::error::Error;
 use crate::text::{Lexer, split_at_dot};
+use heapless::Vec;
 
 /// Where a shape starts, has its middle and ends along an axis of its object.
 #[derive(Clone, Copy)]
@@ -195,10 +198,10 @@ impl<'t> DomainParser<'_, 't> {
 
     fn factor(&mut self, dimension: Dimension) -> Result<Option<NodeId>, Error> {
         let at = self.lexer.clone();
-        let mut nodes = self.domain.nodes.clone();
+        let mut nodes: Vec<Node, MAX_TERMS> = Vec::new();
         let mut parser = self.domain.parser(&mut nodes, self.own);
         let id = parser.single(&mut self.lexer)?;
-        self.domain.nodes = nodes;
+        let id = copy(&nodes, id, &mut self.domain.nodes)?;
         self.checked_component(&at, id, dimension)
     }
 

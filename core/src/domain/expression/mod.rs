@@ -108,6 +108,18 @@ pub(crate) fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, Er
     u16::try_from(place).map(NodeId).map_err(|_| FULL)
 }
 
+/// Whether two expressions, each in a list of its own, are the same.
+pub(crate) fn is_same(nodes: &[Node], id: NodeId, others: &[Node], other: NodeId) -> bool {
+    let same = |a, b| is_same(nodes, a, others, b);
+    match (node_at(nodes, id), node_at(others, other)) {
+        (Ok(Node::Sum(a, b)), Ok(Node::Sum(c, d)))
+        | (Ok(Node::Difference(a, b)), Ok(Node::Difference(c, d)))
+        | (Ok(Node::Product(a, b)), Ok(Node::Product(c, d))) => same(a, c) && same(b, d),
+        (Ok(leaf), Ok(other)) => leaf == other,
+        _ => false,
+    }
+}
+
 /// Copies an expression from one list into another.
 ///
 /// # Errors

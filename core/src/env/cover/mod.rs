@@ -120,7 +120,7 @@ const GRASP: Attribute<'static> = attribute("grasp", Dimension::Length);
 const HAND: Attribute<'static> = attribute("hand", Dimension::Length);
 const POSE_X: Attribute<'static> = attribute("pose_x", Dimension::Length);
 const POSE_Z: Attribute<'static> = attribute("pose_z", Dimension::Length);
-const BUMPY: Attribute<'static> = attribute("bumpy", Dimension::Flag);
+const BUMPY: Attribute<'static> = attribute("bumpy", Dimension::None);
 
 /// The types, with these attributes of the blocks.
 const fn types(block: &'static [Attribute<'static>]) -> [ObjectType; 3] {

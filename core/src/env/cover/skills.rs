@@ -1,37 +1,88 @@
 //! What can be said of the controllers, for learning when they work.
 
-use super::Cover;
+use super::{Cover, CoverRegrasp, RegionalBumpyCover};
+use crate::domain::ControllerId;
 use crate::plan::skill::{Describe, Description};
 
+const fn alone(own: ControllerId, text: &'static str) -> Description {
+    Description {
+        own,
+        later: None,
+        among: &[],
+        text,
+    }
+}
+
+const fn chained(own: ControllerId, later: ControllerId, text: &'static str) -> Description {
+    Description {
+        later: Some(later),
+        ..alone(own, text)
+    }
+}
+
+const PICK: &str = include_str!("skills/pick.txt");
+
 static COVER: [Description; 4] = [
-    Description {
-        own: Cover::PICK,
-        later: None,
-        among: &[],
-        text: include_str!("skills/pick.txt"),
-    },
-    Description {
-        own: Cover::PLACE,
-        later: None,
-        among: &[],
-        text: include_str!("skills/place.txt"),
-    },
-    Description {
-        own: Cover::PICK,
-        later: Some(Cover::PLACE),
-        among: &[],
-        text: include_str!("skills/pick_place.txt"),
-    },
-    Description {
-        own: Cover::PLACE,
-        later: Some(Cover::PLACE),
-        among: &[],
-        text: include_str!("skills/place_place.txt"),
-    },
+    alone(Cover::PICK, PICK),
+    alone(Cover::PLACE, include_str!("skills/place_in_reach.txt")),
+    chained(
+        Cover::PICK,
+        Cover::PLACE,
+        include_str!("skills/pick_place_in_reach.txt"),
+    ),
+    chained(
+        Cover::PLACE,
+        Cover::PLACE,
+        include_str!("skills/place_place.txt"),
+    ),
+];
+
+/// Putting a block on the table is left to the original sampler, which puts it down where
+/// it is.
+static COVER_REGRASP: [Description; 3] = [
+    alone(CoverRegrasp::PICK, PICK),
+    alone(
+        CoverRegrasp::PLACE,
+        include_str!("skills/place_far_or_central.txt"),
+    ),
+    chained(
+        CoverRegrasp::PICK,
+        CoverRegrasp::PLACE,
+        include_str!("skills/pick_place_far_or_central.txt"),
+    ),
+];
+
+static REGIONAL_BUMPY_COVER: [Description; 5] = [
+    alone(RegionalBumpyCover::PICK_FROM_SMOOTH, PICK),
+    alone(
+        RegionalBumpyCover::PICK_FROM_BUMPY,
+        include_str!("skills/pick_from_bumpy.txt"),
+    ),
+    alone(
+        RegionalBumpyCover::PLACE_ON_TARGET,
+        include_str!("skills/place_on_target.txt"),
+    ),
+    alone(
+        RegionalBumpyCover::PLACE_ON_BUMPY,
+        include_str!("skills/place_on_bumpy.txt"),
+    ),
+    alone(RegionalBumpyCover::PICK_FROM_TARGET, PICK),
 ];
 
 impl Describe for Cover {
     fn descriptions(&self) -> &'static [Description] {
         &COVER
+    }
+}
+
+impl Describe for CoverRegrasp {
+    fn descriptions(&self) -> &'static [Description] {
+        &COVER_REGRASP
+    }
+}
+
+impl Describe for RegionalBumpyCover {
+    fn descriptions(&self) -> &'static [Description] {
+        &REGIONAL_BUMPY_COVER
     }
 }

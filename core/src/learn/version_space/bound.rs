@@ -32,7 +32,7 @@ pub(super) struct Bound<R> {
     /// How far the form ranges over the samples.
     pub(super) range: R,
     /// What the samples on the wrong side cost, in bits.
-    pub(super) strain: f64,
+    pub(super) strain: R,
 }
 
 /// An instance with samples on the wrong side.
@@ -50,7 +50,7 @@ impl<R: Real> Bound<R> {
             inner: forms.last_feasible(&side, step),
             outer: R::INFINITY,
             range: R::ZERO,
-            strain: 0.0,
+            strain: R::ZERO,
         }
     }
 
@@ -73,7 +73,7 @@ impl<R: Real> Bound<R> {
             inner: last,
             outer: first,
             range,
-            strain: 0.0,
+            strain: R::ZERO,
         };
         if first > last + tolerance(last) {
             return Some(bound);
@@ -140,7 +140,7 @@ impl<R: Real> Bound<R> {
             let mixed = if last < first { 0.0 } else { STRAY_SAMPLE };
             STRAY + STRAY_PER_RANGE * (stray.by / self.range).to_f64() + mixed * stray.samples
         };
-        self.strain = strays.iter().map(cost).sum();
+        self.strain = R::from_f64(strays.iter().map(cost).sum());
         true
     }
 

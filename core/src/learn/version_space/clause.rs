@@ -202,6 +202,6 @@ fn bound<R: Real>(side: Side, inner: R, outer: R) -> Bound<R> {
         inner,
         outer,
         range: R::ONE,
-        strain: 0.0,
+        strain: R::ZERO,
     }
 }

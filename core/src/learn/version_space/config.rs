@@ -4,7 +4,12 @@ use super::cover::{Cover, MAX_STEPS, MEMBERS};
 use super::forms::{MAX_LEFTS, MAX_WORDS, Sample, Span};
 use crate::domain::Node;
 use crate::error::Error;
+use crate::grammar::MAX_CONSTRAINTS;
 use crate::learn::Observation;
+use crate::region::Region;
+
+/// Most observations: 2048, or 256 without the feature `many_observations`.
+pub const MAX_OBSERVATIONS: usize = 64 * MAX_WORDS;
 
 /// How much a learner has room for.
 ///
@@ -12,10 +17,12 @@ use crate::learn::Observation;
 /// |---|---|
 /// | `spans` | 16 per form tracked and step |
 /// | `bits` | 16 per form tracked and 64 observations |
-/// | `features`, `values`, `columns` | 26 per 8 forms, and 64 more |
+/// | `features`, `columns` | 18 per 8 forms, and 64 more |
 /// | `instances` | 1 per form and instance, and 512 per instance |
 /// | `rows` | [`Capacity::lefts`] times 8 per observation |
 /// | `covers` | 5120 per step |
+/// | `sets` | 16 per step and 64 observations |
+/// | `region`, `support` | about 4200 |
 /// | `samples`, `observations` | 4 and 56 per observation |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capacity {
@@ -25,7 +32,7 @@ pub struct Capacity {
     /// there are fewer. That of the others is computed from the samples whenever it is
     /// needed: what is learned is the same, for less memory and more time.
     pub tracked: usize,
-    /// Observations: answers that can be told, at most 2048.
+    /// Observations: answers that can be told, at most [`MAX_OBSERVATIONS`].
     pub observations: usize,
     /// Problem instances.
     pub instances: usize,
@@ -74,9 +81,25 @@ impl Capacity {
         2 * self.tracked() * self.observations.div_ceil(64)
     }
 
-    /// Numbers that the left sides have at the samples.
+    /// Numbers that the left sides have at the samples; at first, those that all
+    /// features have in an instance.
     pub const fn rows(self) -> usize {
-        self.lefts() * self.observations
+        let rows = self.lefts() * self.observations;
+        if rows < self.features() {
+            self.features()
+        } else {
+            rows
+        }
+    }
+
+    /// Words of the sets of samples: at which a step worked, and at which it failed.
+    pub const fn sets(self) -> usize {
+        2 * self.steps * self.observations.div_ceil(64)
+    }
+
+    /// What supports the constraints of a region.
+    pub const fn support(self) -> usize {
+        MAX_CONSTRAINTS
     }
 
     /// Explanations: a committee for every step.
@@ -88,9 +111,9 @@ impl Capacity {
         if self.steps == 0 || self.steps > MAX_STEPS {
             return Err(Error::InvalidArgument("a learner has one to four steps"));
         }
-        if self.observations > 64 * MAX_WORDS {
+        if self.observations > MAX_OBSERVATIONS {
             return Err(Error::InvalidArgument(
-                "a learner has room for at most 2048 observations",
+                "a learner has room for at most 2048 observations, or 256 in a small build",
             ));
         }
         Ok(())
@@ -103,8 +126,6 @@ impl Capacity {
 pub struct Memory<'m, R> {
     /// [`Capacity::features`] terms.
     pub features: &'m mut [Node],
-    /// [`Capacity::features`] numbers.
-    pub values: &'m mut [R],
     /// [`Capacity::features`] indices.
     pub columns: &'m mut [u16],
     /// [`Capacity::instance_values`] numbers.
@@ -115,12 +136,18 @@ pub struct Memory<'m, R> {
     pub bits: &'m mut [u64],
     /// [`Capacity::rows`] numbers.
     pub rows: &'m mut [R],
+    /// [`Capacity::sets`] words.
+    pub sets: &'m mut [u64],
     /// [`Capacity::covers`] explanations.
     pub covers: &'m mut [Cover<R>],
     /// [`Capacity::observations`] entries.
     pub samples: &'m mut [Sample],
     /// [`Capacity::observations`] observations.
     pub observations: &'m mut [Observation],
+    /// [`Capacity::support`] entries.
+    pub support: &'m mut [Evidence],
+    /// Where the region is written.
+    pub region: &'m mut Region,
 }
 
 /// What decides the questions of a learner.

@@ -76,7 +76,7 @@ impl<R: Real> Chosen<R> {
             known.any(|other| other.side.form == side.form)
         };
         let first = &self.bound;
-        let bits = first.strain + forms.bits(&first.side, named(&first.side));
+        let bits = first.strain.to_f64() + forms.bits(&first.side, named(&first.side));
         let second = self.or.map(|or| {
             let named = or.side.form == first.side.form || named(&or.side);
             forms.bits(&or.side, named)

@@ -7,9 +7,7 @@ use super::set::count;
 use super::{CANDIDATES, Certificate, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
-use crate::grammar::Formula;
 use crate::real::Real;
-use crate::region::Region;
 
 /// By how many bits the answers must be longer than their explanation: one of
 /// 2^SIGNIFICANCE times that answers by chance seem to be explained.
@@ -73,7 +71,7 @@ impl<R: Real> VersionSpace<'_, R> {
     pub(super) fn count_support(&mut self) {
         let best = self.covers.iter().step_by(MEMBERS).flat_map(|c| &c.chosen);
         let counts = best.flat_map(|chosen| chosen.bounds().map(|_| chosen.support));
-        for (evidence, count) in self.support.iter_mut().zip(counts) {
+        for (evidence, count) in self.support.as_mut_slice().iter_mut().zip(counts) {
             evidence.support = count;
         }
     }
@@ -147,21 +145,34 @@ impl<R: Real> VersionSpace<'_, R> {
         self.rebuild_region(domain)
     }
 
+    /// Writes the region of the best explanations, unless it is there already.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`]; then there is no region until one finds room.
     pub(super) fn rebuild_region(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
-        let mut formula = Formula::everything();
-        self.support.clear();
-        for (step, cover) in self.covers.iter().step_by(MEMBERS).enumerate() {
-            let (forms, support) = (&self.forms, &mut self.support);
-            explain::add_constraints(domain, forms, cover, step, &mut formula, support)?;
+        self.written = false;
+        let (forms, support) = (&self.forms, &mut self.support);
+        let best = || self.covers.iter().step_by(MEMBERS).enumerate();
+        self.report.strays = best().map(|(step, cover)| cover.strays(forms, step)).sum();
+        support.clear();
+        let mut old = self.region.formula().comparison();
+        let mut same = true;
+        for (step, cover) in best() {
+            explain::for_each_constraint(domain, forms, cover, step, |nodes, any_of, evidence| {
+                same &= old.next_is(nodes, any_of);
+                evidence.iter().try_for_each(|own| support.push(*own))
+            })?;
         }
-        let best = self.covers.iter().step_by(MEMBERS).enumerate();
-        let strays = best.map(|(step, cover)| cover.strays(&self.forms, step));
-        self.report.strays = strays.sum();
-        let region = Region::new(domain, formula);
-        if region != self.region {
-            self.region = region;
+        if !(same && old.is_at_end()) {
             self.report.certificate = Certificate::default();
+            self.region.rewrite(domain, |formula| {
+                best().try_for_each(|(step, cover)| {
+                    let add = |nodes: &[_], any_of: &[_], _: &[_]| formula.and(nodes, any_of);
+                    explain::for_each_constraint(domain, forms, cover, step, add)
+                })
+            })?;
         }
+        self.written = true;
         Ok(())
     }
 }

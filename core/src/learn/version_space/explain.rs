@@ -7,7 +7,7 @@ use super::forms::{Forms, tolerance};
 use super::name::{Name, Named, Scaled, clearance, simplest};
 use crate::domain::{Domain, Node, NodeId, Relation, copy, intern};
 use crate::error::Error;
-use crate::grammar::{Comparison, Formula, Inequality, MAX_COMPLEXITY, MAX_CONSTRAINTS};
+use crate::grammar::{Comparison, Inequality, MAX_COMPLEXITY};
 use crate::real::Real;
 use crate::text::split_at_dot;
 use heapless::{Vec, VecView};
@@ -22,21 +22,19 @@ const PRICE_OF_CORNERS: f64 = 0.56;
 /// Terms of one constraint.
 const TERMS: usize = 40;
 
-/// What supports the constraints of a region, in their order.
-pub(super) type Support = Vec<Evidence, MAX_CONSTRAINTS>;
-
-/// Adds the constraints of an explanation of a step, counted from zero.
-pub(super) fn add_constraints<R: Real>(
+/// Calls `visit` with each constraint of an explanation of a step, counted from zero:
+/// with its terms, with its bounds, and with what supports each.
+pub(super) fn for_each_constraint<R: Real>(
     domain: &Domain<'_>,
     forms: &Forms<'_, R>,
     cover: &Cover<R>,
     step: usize,
-    formula: &mut Formula,
-    support: &mut Support,
+    mut visit: impl FnMut(&[Node], &[Inequality], &[Evidence]) -> Result<(), Error>,
 ) -> Result<(), Error> {
     for chosen in &cover.chosen {
         let mut nodes: Vec<Node, TERMS> = Vec::new();
         let mut any_of: Vec<Inequality, 2> = Vec::new();
+        let mut support: Vec<Evidence, 2> = Vec::new();
         for bound in chosen.bounds() {
             let _ = any_of.push(inequality(domain, forms, bound, &mut nodes)?);
             let own = |value: R| bound.side.outward(value).to_f64();
@@ -47,7 +45,7 @@ pub(super) fn add_constraints<R: Real>(
                 support: chosen.support,
             });
         }
-        formula.and(&nodes, &any_of)?;
+        visit(&nodes, &any_of, &support)?;
     }
     Ok(())
 }

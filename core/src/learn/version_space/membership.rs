@@ -8,7 +8,6 @@
 use super::VersionSpace;
 use super::forms::Lefts;
 use super::set::{is_empty, members, remove};
-use crate::domain::{PointSet, Scene};
 use crate::error::Error;
 use crate::learn::{Problem, Query};
 use crate::real::Real;
@@ -36,9 +35,7 @@ impl<R: Real> VersionSpace<'_, R> {
             return Err(Error::OutOfSequence("ask for a sample first"));
         }
         problem.check_begun(self.problem)?;
-        let instance = problem.instance(query.instance)?;
-        let scene = Scene::new(problem.domain(), instance, PointSet::all(problem.domain()))?;
-        let lefts = self.forms.evaluate(&scene, &query.theta);
+        let lefts = self.forms.evaluate_query(problem, query)?;
         let mut all = Membership::Feasible;
         for step in 0..self.capacity.steps {
             match self.membership_of_step(query.instance, &lefts, step) {

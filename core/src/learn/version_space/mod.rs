@@ -76,7 +76,7 @@ mod question;
 mod set;
 
 pub use certificate::Certificate;
-pub use config::{Capacity, Config, Evidence, Memory, Report};
+pub use config::{Capacity, Config, Evidence, MAX_OBSERVATIONS, Memory, Report};
 pub use cover::Cover;
 pub use forms::{Sample, Span};
 pub use membership::Membership;
@@ -84,15 +84,14 @@ pub use membership::Membership;
 use super::log::Observation;
 use super::problem::Problem;
 use super::{Answer, Learner, Query};
-use crate::domain::{CHECKSUM, Domain, PointSet, Scene};
+use crate::domain::{CHECKSUM, Domain};
 use crate::error::Error;
-use crate::grammar::{Features, Formula};
+use crate::grammar::Features;
 use crate::random::{Generator, generator};
 use crate::real::Real;
 use crate::region::Region;
 use crate::table::Table;
 use cover::MEMBERS;
-use explain::Support;
 use forms::{Forms, Storage};
 
 /// The most complex features that forms are made of.
@@ -141,8 +140,10 @@ pub struct VersionSpace<'m, R> {
     standing: f64,
     /// How many samples there were then.
     electors: usize,
-    region: Region,
-    support: Support,
+    region: &'m mut Region,
+    /// Whether the region says what the best explanations do.
+    written: bool,
+    support: Table<'m, Evidence>,
     report: Report,
 }
 
@@ -162,27 +163,30 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         capacity.check()?;
         let Memory {
             features,
-            values,
             columns,
             instances,
             spans,
             bits,
             rows,
+            sets,
             covers,
             samples,
             observations,
+            support,
+            region,
         } = memory;
         let features = cut(features, capacity.features())?;
-        let values = cut(values, capacity.features())?;
+        region.clear(domain);
         let covers = cut(covers, capacity.covers())?;
         covers.fill(Cover::default());
         let forms = Forms::new(Storage {
-            features: Features::enumerate_up_to(domain, COMPLEXITY, features, values)?,
+            features: Features::enumerate_up_to(domain, COMPLEXITY, features, &mut [])?,
             columns: cut(columns, capacity.features())?,
             instances: cut(instances, capacity.instance_values())?,
             spans: cut(spans, capacity.spans())?,
             bits: cut(bits, capacity.bits())?,
             rows: cut(rows, capacity.rows())?,
+            sets: cut(sets, capacity.sets())?,
             samples: cut(samples, capacity.observations)?,
             forms: capacity.forms,
             tracked: capacity.tracked(),
@@ -205,8 +209,9 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             elected: false,
             standing: 0.0,
             electors: 0,
-            region: Region::new(domain, Formula::everything()),
-            support: Support::new(),
+            region,
+            written: true,
+            support: Table::new(cut(support, capacity.support())?, "constraints of a region"),
             report: Report::default(),
         })
     }
@@ -223,7 +228,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
 
     /// What supports each constraint of the region, in their order.
     pub fn evidence(&self) -> &[Evidence] {
-        &self.support
+        self.support.as_slice()
     }
 
     fn constraints(&self) -> usize {
@@ -233,7 +238,8 @@ impl<'m, R: Real> VersionSpace<'m, R> {
 
     fn is_explained(&self) -> bool {
         let constraints = self.constraints();
-        self.report.feasible > 0
+        self.written
+            && self.report.feasible > 0
             && constraints > 0
             && self.influence
             && self
@@ -247,9 +253,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     /// Takes a sample whose answer is beyond doubt.
     fn learn(&mut self, problem: &Problem<'_>, pending: &Pending) -> Result<(), Error> {
         let query = &pending.query;
-        let instance = problem.instance(query.instance)?;
-        let scene = Scene::new(problem.domain(), instance, PointSet::all(problem.domain()))?;
-        let lefts = self.forms.evaluate(&scene, &query.theta);
+        let lefts = self.forms.evaluate_query(problem, query)?;
         let feasible = pending.lead > 0;
         let failed = if feasible {
             self.report.feasible += 1;
@@ -381,7 +385,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
 
     fn region(&self) -> Result<&Region, Error> {
         if self.is_explained() {
-            Ok(&self.region)
+            Ok(self.region)
         } else {
             Err(Error::NoRegion)
         }

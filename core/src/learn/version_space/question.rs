@@ -6,6 +6,9 @@
 //! Where all gaps are narrow, the constraints are put to the test in another
 //! instance, just inside or just outside of their bounds: a constraint that fits
 //! the instances by chance does not survive that.
+//!
+//! A scene is large. What makes one is never inlined, so that one at a time is on the
+//! stack.
 
 use super::bound::Bound;
 use super::cover::{Chosen, Cover, MEMBERS};
@@ -84,11 +87,35 @@ impl<R: Real> Choice<'_, '_, R> {
         problem: &Problem<'_>,
         rng: &mut Generator,
     ) -> Result<Option<Query>, Error> {
+        let split = self.most_divided(problem, rng)?;
+        if split.is_some() {
+            return Ok(split);
+        }
+        if let Some((share, chosen, bound)) = self.widest_gap()
+            && share > NARROW
+        {
+            let middle = bound.inner + (bound.outer - bound.inner) * R::from_f64(0.5);
+            let query = self.at_value(problem, (chosen, bound), middle, |_| false, rng)?;
+            if query.is_some() {
+                return Ok(query);
+            }
+        }
+        self.test(problem, rng)
+    }
+
+    /// The candidate that splits the votes most evenly, of those that are not settled.
+    #[inline(never)]
+    fn most_divided(
+        &self,
+        problem: &Problem<'_>,
+        rng: &mut Generator,
+    ) -> Result<Option<Query>, Error> {
         let points = PointSet::all(problem.domain());
         let mut split: Option<(usize, Query)> = None;
         for _ in 0..GROUPS {
             let instance = below(rng, problem.count());
-            let scene = Scene::new(problem.domain(), problem.instance(instance)?, points)?;
+            let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
+            scene.settle()?;
             for candidate in 0..EACH {
                 let theta = if candidate % 2 == 0 {
                     any_theta(problem, instance, rng)
@@ -105,19 +132,7 @@ impl<R: Real> Choice<'_, '_, R> {
                 }
             }
         }
-        if let Some((_, query)) = split {
-            return Ok(Some(query));
-        }
-        if let Some((share, chosen, bound)) = self.widest_gap()
-            && share > NARROW
-        {
-            let middle = bound.inner + (bound.outer - bound.inner) * R::from_f64(0.5);
-            let query = self.at_value(problem, (chosen, bound), middle, |_| false, rng)?;
-            if query.is_some() {
-                return Ok(query);
-            }
-        }
-        self.test(problem, rng)
+        Ok(split.map(|(_, query)| query))
     }
 
     /// Some instance that was not asked about.
@@ -147,12 +162,11 @@ impl<R: Real> Choice<'_, '_, R> {
         problem: &Problem<'_>,
         rng: &mut Generator,
     ) -> Result<Option<Query>, Error> {
-        let points = PointSet::all(problem.domain());
         let theta = [0.0; MAX_PARAMETERS];
         let mut best: Option<((usize, usize), Query)> = None;
         for instance in self.all_unasked(problem, rng) {
-            let scene = Scene::new(problem.domain(), problem.instance(instance)?, points)?;
-            let lefts = self.forms.evaluate(&scene, &theta);
+            let query = Query { instance, theta };
+            let lefts = self.forms.evaluate_query(problem, &query)?;
             let (votes, against) = self.votes(instance, &lefts);
             let open = self.best_bounds().filter(|(_, bound)| {
                 let value = self.forms.value(&bound.side, instance, &lefts);
@@ -160,7 +174,7 @@ impl<R: Real> Choice<'_, '_, R> {
             });
             let score = (votes * against, open.count());
             if best.as_ref().is_none_or(|(most, _)| score > *most) {
-                best = Some((score, Query { instance, theta }));
+                best = Some((score, query));
             }
         }
         Ok(best.map(|(_, query)| query))
@@ -231,6 +245,7 @@ impl<R: Real> Choice<'_, '_, R> {
     /// Of some candidates, the one farthest from all samples of its instance: what
     /// nobody suspects is found there. Every other time only candidates count that
     /// the best explanation admits, because a gap in it does most harm.
+    #[inline(never)]
     pub(super) fn farthest(
         &self,
         problem: &Problem<'_>,
@@ -241,7 +256,8 @@ impl<R: Real> Choice<'_, '_, R> {
         let everywhere = rng.next_u32() & 1 == 0;
         for _ in 0..GROUPS {
             let instance = below(rng, problem.count());
-            let scene = Scene::new(problem.domain(), problem.instance(instance)?, points)?;
+            let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
+            scene.settle()?;
             for _ in 0..EACH {
                 let theta = any_theta(problem, instance, rng);
                 let lefts = self.forms.evaluate(&scene, &theta);
@@ -287,6 +303,7 @@ impl<R: Real> Choice<'_, '_, R> {
 
     /// A sample in some instance at which the form of a bound has a certain value,
     /// and for which nothing else decides.
+    #[inline(never)]
     fn at_value(
         &self,
         problem: &Problem<'_>,
@@ -301,7 +318,8 @@ impl<R: Real> Choice<'_, '_, R> {
             if skip(instance) {
                 continue;
             }
-            let scene = Scene::new(problem.domain(), problem.instance(instance)?, points)?;
+            let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
+            scene.settle()?;
             let beyond = |theta: &Theta| {
                 let lefts = self.forms.evaluate(&scene, theta);
                 self.forms.value(&bound.side, instance, &lefts) > value
@@ -371,7 +389,7 @@ impl<R: Real> Choice<'_, '_, R> {
             let holds = |bound: &Bound<R>| bound.position(value(bound)) < half;
             cover.chosen.iter().all(|chosen| chosen.bounds().any(holds))
         };
-        let strained = self.best_bounds().any(|(_, bound)| bound.strain > 0.0);
+        let strained = self.best_bounds().any(|(_, bound)| bound.strain > R::ZERO);
         let voters = usize::from(strained)..MEMBERS;
         let in_favour = |member: &usize| {
             let mut own = self.covers.iter().skip(*member).step_by(MEMBERS);

@@ -69,7 +69,7 @@ impl<'s> Spread<'s> {
     ) -> Result<Self, Error> {
         const FULL: Error = Error::CapacityExceeded("features of training instances");
         let learner = &mut memory.learner;
-        let (nodes, values) = (&mut *learner.features, &mut *learner.values);
+        let (nodes, values) = (&mut *learner.features, &mut *learner.rows);
         let features = Features::enumerate_up_to(&skill.domain, COMPLEXITY, nodes, values)?;
         let rows = learner.instances.get_mut(..(wanted + 2) * features.len());
         Ok(Spread {

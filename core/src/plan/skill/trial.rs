@@ -33,8 +33,8 @@ impl GroundOperator {
     ) -> Theta {
         let drawn = environment.sample(self.operator, state, self.objects.as_slice(), rng);
         let mut theta = [0.0; MAX_PARAMETERS];
-        for (value, drawn) in theta.iter_mut().zip(drawn) {
-            *value = f64::from(drawn);
+        for (value, drawn) in theta.iter_mut().zip(&drawn) {
+            *value = f64::from(*drawn);
         }
         theta
     }

@@ -1,7 +1,6 @@
-//! What is known of forms and samples: S, the samples of each step, and the value
-//! of a form at a sample.
+//! What is known of forms and samples: S, and the value of a form at a sample.
 
-use super::{MAX_WORDS, Sample, Set, tolerance};
+use super::{Sample, Set, tolerance};
 use crate::real::Real;
 use core::ops::Range;
 
@@ -53,22 +52,6 @@ pub(super) fn excludes<R: Real>(end: R, value: R, upper: bool) -> bool {
     } else {
         value + tolerance(value) < end
     }
-}
-
-/// What is known of one step.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Step {
-    /// The samples at which it worked.
-    pub(super) feasible: Set,
-    /// The samples at which it failed.
-    pub(super) infeasible: Set,
-}
-
-impl Step {
-    pub(super) const NEW: Step = Step {
-        feasible: [0; MAX_WORDS],
-        infeasible: [0; MAX_WORDS],
-    };
 }
 
 /// What the value of a form at a sample follows from.
@@ -126,12 +109,12 @@ impl<R: Real> Known<'_, R> {
         column: usize,
         span: &Span<R>,
         upper: bool,
-        step: &Step,
+        infeasible: &Set,
     ) {
         let start = usize::from(upper) * tracked + form;
         let planes = bits.get_mut(start..).unwrap_or(&mut []);
         let slots = planes.iter_mut().step_by((2 * tracked).max(1));
-        for (word, (slot, mask)) in slots.zip(&step.infeasible).take(words).enumerate() {
+        for (word, (slot, mask)) in slots.zip(infeasible).take(words).enumerate() {
             let mut open = *mask & *slot;
             while open != 0 {
                 let bit = open & open.wrapping_neg();

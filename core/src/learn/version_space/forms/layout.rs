@@ -30,7 +30,8 @@ pub(in crate::learn::version_space) struct Run {
 impl Run {
     /// The forms before `form`, and the others.
     pub(super) fn split(self, form: usize) -> (Run, Run) {
-        let tracked = form.clamp(self.forms.start, self.forms.end);
+        // Not `clamp`, which panics where a range has its ends the wrong way round.
+        let tracked = form.max(self.forms.start).min(self.forms.end);
         let column = self.columns.start + (tracked - self.forms.start);
         let first = Run {
             columns: self.columns.start..column,

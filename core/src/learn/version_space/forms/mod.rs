@@ -18,23 +18,26 @@ mod update;
 pub use known::Span;
 pub(in crate::learn::version_space) use layout::Side;
 
-use super::cover::MAX_STEPS;
 use crate::domain::{
     Dependence, Dimension, MAX_PARAMETERS, Node, NodeId, PointSet, Sample as Point, Scene,
 };
 use crate::error::Error;
 use crate::grammar::{FACTORS, Features, feature_id};
-use crate::learn::Problem;
+use crate::learn::{Problem, Query};
 use crate::real::Real;
 use crate::region::Theta;
 use crate::table::Table;
-use known::{Known, Step};
+use known::Known;
 use layout::{Block, Layout};
 
 /// Most left sides.
 pub(in crate::learn::version_space) const MAX_LEFTS: usize = 64;
 /// Most words of a set of samples.
-pub(in crate::learn::version_space) const MAX_WORDS: usize = 32;
+pub(in crate::learn::version_space) const MAX_WORDS: usize =
+    match cfg!(feature = "many_observations") {
+        true => 32,
+        false => 4,
+    };
 /// Kinds of right sides, simple ones first: nothing, attributes and coordinates,
 /// distances and angles, scaled ones.
 pub(in crate::learn::version_space) const LEVELS: usize = 4;
@@ -80,8 +83,8 @@ pub(in crate::learn::version_space) struct Forms<'m, R> {
     /// Left sides, one row per sample.
     rows: &'m mut [R],
     samples: Table<'m, Sample>,
-    /// What is known of each step.
-    steps: [Step; MAX_STEPS],
+    /// For each step, the samples at which it worked, and those at which it failed.
+    sets: &'m mut [u64],
     width: usize,
     /// What it takes to name a form of each level and a direction.
     bits_of_level: [f64; LEVELS],
@@ -95,6 +98,7 @@ pub(in crate::learn::version_space) struct Storage<'m, R> {
     pub(in crate::learn::version_space) spans: &'m mut [Span<R>],
     pub(in crate::learn::version_space) bits: &'m mut [u64],
     pub(in crate::learn::version_space) rows: &'m mut [R],
+    pub(in crate::learn::version_space) sets: &'m mut [u64],
     pub(in crate::learn::version_space) samples: &'m mut [Sample],
     pub(in crate::learn::version_space) forms: usize,
     pub(in crate::learn::version_space) tracked: usize,
@@ -104,6 +108,7 @@ pub(in crate::learn::version_space) struct Storage<'m, R> {
 impl<'m, R: Real> Forms<'m, R> {
     pub(in crate::learn::version_space) fn new(storage: Storage<'m, R>) -> Self {
         storage.spans.fill(Span::default());
+        storage.sets.fill(0);
         let mut layout = Layout {
             capacity: storage.forms,
             ..Layout::default()
@@ -136,7 +141,7 @@ impl<'m, R: Real> Forms<'m, R> {
             bits: storage.bits,
             rows: storage.rows,
             samples: Table::new(storage.samples, "samples"),
-            steps: [Step::NEW; MAX_STEPS],
+            sets: storage.sets,
             bits_of_level: [0.0; LEVELS],
         }
     }
@@ -189,6 +194,7 @@ impl<'m, R: Real> Forms<'m, R> {
     }
 
     /// Calls `fill` with the values of all features in each instance and its row.
+    #[inline(never)]
     fn fill_rows(
         &mut self,
         problem: &Problem<'_>,
@@ -198,9 +204,11 @@ impl<'m, R: Real> Forms<'m, R> {
         let theta = [R::ZERO; MAX_PARAMETERS];
         let rows = self.instances.chunks_exact_mut(self.width.max(1));
         for (index, row) in (0..problem.count()).zip(rows) {
-            let scene = Scene::new(problem.domain(), problem.instance(index)?, points)?;
-            self.features.evaluate(&scene, &theta);
-            fill(self.features.values(), row);
+            let mut scene = Scene::blank(problem.domain(), problem.instance(index)?, points);
+            scene.settle()?;
+            // There are no samples yet, so their table is free.
+            self.features.evaluate_into(&scene, &theta, self.rows);
+            fill(self.rows, row);
         }
         Ok(())
     }
@@ -286,6 +294,24 @@ impl<'m, R: Real> Forms<'m, R> {
         lefts
     }
 
+    /// Evaluates the left sides at a sample of a problem. A scene is large: it has left
+    /// the stack when this returns.
+    ///
+    /// # Errors
+    /// Those of [`Problem::instance`] and [`Scene::new`].
+    #[inline(never)]
+    pub(in crate::learn::version_space) fn evaluate_query(
+        &self,
+        problem: &Problem<'_>,
+        query: &Query,
+    ) -> Result<Lefts<R>, Error> {
+        let instance = problem.instance(query.instance)?;
+        let points = PointSet::all(problem.domain());
+        let mut scene = Scene::blank(problem.domain(), instance, points);
+        scene.settle()?;
+        Ok(self.evaluate(&scene, &query.theta))
+    }
+
     fn instance(&self, instance: usize) -> &[R] {
         self.instances
             .chunks_exact(self.width.max(1))
@@ -310,14 +336,36 @@ impl<'m, R: Real> Forms<'m, R> {
 
     /// The infeasible samples of a step.
     pub(in crate::learn::version_space) fn infeasible(&self, step: usize) -> Set {
-        self.steps
-            .get(step)
-            .map_or([0; MAX_WORDS], |s| s.infeasible)
+        self.set(step, false)
     }
 
     /// The feasible samples of a step.
     pub(in crate::learn::version_space) fn feasible(&self, step: usize) -> Set {
-        self.steps.get(step).map_or([0; MAX_WORDS], |s| s.feasible)
+        self.set(step, true)
+    }
+
+    fn set(&self, step: usize, feasible: bool) -> Set {
+        let mut set = [0; MAX_WORDS];
+        let (start, len) = self.place_of_set(step, feasible);
+        let own = self.sets.get(start..start + len).unwrap_or(&[]);
+        for (word, own) in set.iter_mut().zip(own) {
+            *word = *own;
+        }
+        set
+    }
+
+    /// Where a set starts in the table, and how long it is.
+    fn place_of_set(&self, step: usize, feasible: bool) -> (usize, usize) {
+        let len = self.samples.capacity().div_ceil(64);
+        ((2 * step + usize::from(!feasible)) * len, len)
+    }
+
+    /// Puts a sample into a set.
+    fn enter(&mut self, step: usize, feasible: bool, sample: usize) {
+        let (start, _) = self.place_of_set(step, feasible);
+        if let Some(word) = self.sets.get_mut(start + sample / 64) {
+            *word |= 1 << (sample % 64);
+        }
     }
 
     /// The length of a bound's description in bits: which form, unless it is named

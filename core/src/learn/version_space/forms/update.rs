@@ -54,23 +54,11 @@ impl<R: Real> Forms<'_, R> {
             planes.unwrap_or(&mut []).fill(0);
         }
         for step in 0..worked {
-            let own = self
-                .steps
-                .get_mut(step)
-                .and_then(|s| s.feasible.get_mut(word));
-            if let Some(own) = own {
-                *own |= bit;
-            }
+            self.enter(step, true, index);
             self.widen(instance, lefts, step);
         }
         if let Some(step) = failed {
-            let own = self
-                .steps
-                .get_mut(step)
-                .and_then(|s| s.infeasible.get_mut(word));
-            if let Some(own) = own {
-                *own |= bit;
-            }
+            self.enter(step, false, index);
             self.note_excluded(instance, lefts, step, word, bit);
         }
         Ok(())
@@ -80,9 +68,7 @@ impl<R: Real> Forms<'_, R> {
     /// exclude less.
     fn widen(&mut self, instance: usize, lefts: &[R], step: usize) {
         let tracked = self.tracked;
-        let Some(own) = self.steps.get(step).copied() else {
-            return;
-        };
+        let infeasible = self.infeasible(step);
         let words = self.words();
         let known = Known {
             instances: self.instances,
@@ -109,7 +95,15 @@ impl<R: Real> Forms<'_, R> {
                     // The first sample widens both sides.
                     while let Some(upper) = span.take_in(value) {
                         known.settle_bits(
-                            self.bits, tracked, words, form, run.left, column, span, upper, &own,
+                            self.bits,
+                            tracked,
+                            words,
+                            form,
+                            run.left,
+                            column,
+                            span,
+                            upper,
+                            &infeasible,
                         );
                     }
                 }
