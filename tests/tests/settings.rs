@@ -90,7 +90,7 @@ fn put_beside(task: &mut Task) -> bool {
 }
 
 #[test]
-fn a_rare_relation_is_among_a_dozen_settings() {
+fn a_rare_relation_that_stands_out_is_among_a_dozen_settings() {
     for seed in 0..5 {
         let mut tasks = cover_tasks(seed);
         // Elsewhere blocks lie far from targets. In two tasks of a hundred, for one of the

@@ -16,8 +16,10 @@ const COMPLEXITY: usize = 2;
 /// it is as far as the nearest of them, in units of what all instances range over, and
 /// these distances are summed. `swap` swaps what else belongs to two instances.
 ///
-/// A rare relation, such as an obstacle beside the target, is then among a dozen
-/// settings. At random it would hardly be, and what is never tried is never learned.
+/// A rare relation that stands out, such as an obstacle closer to the target than any
+/// other, is then among a dozen settings. At random it would hardly be, and what is never
+/// tried is never learned. What lies within the usual range of every feature is not
+/// chosen more often than at random.
 pub(super) fn spread<'m>(
     skill: &Skill,
     memory: &mut TrainingMemory<'m>,
