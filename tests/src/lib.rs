@@ -3,6 +3,7 @@ pub mod arm;
 pub mod by_hand;
 pub mod data;
 pub mod golden;
+pub mod lottery;
 pub mod pick;
 pub mod picture;
 pub mod plan;

@@ -3,6 +3,7 @@
 use super::judged::{Judged, judge};
 use super::row::Row;
 use crate::golden::{self, Recording};
+use crate::lottery::Lottery;
 use crate::plan::Room;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn_from};
 use critreg::Error;
@@ -23,8 +24,8 @@ const NODES: usize = 200_000;
 /// Learning begins with this seed; those below were used while the defaults were chosen.
 const FIRST_SEED: u64 = 1000;
 
-/// The names of the environments.
-pub const NAMES: [&str; 7] = [
+/// The names of the environments. In the last one there is nothing to learn.
+pub const NAMES: [&str; 8] = [
     "cover",
     "regional_bumpy_cover",
     "cover_regrasp",
@@ -32,11 +33,12 @@ pub const NAMES: [&str; 7] = [
     "cluttered_table_place",
     "blocks",
     "shelf",
+    "negative_control",
 ];
 
 /// How much is tried: at most a dozen instances, and so many questions that the controllers
 /// run for one operator are at most 250.
-fn training() -> Training {
+pub fn training() -> Training {
     Training {
         learner: critreg::learn::version_space::Config {
             calls: 90,
@@ -84,11 +86,12 @@ pub fn print(names: &[&str], seeds: u64) {
             }
             "shelf" => {
                 let task = |_, rng: &mut _| Shelf.task(rng);
-                let mut rng = generator(0x7E57_0000_0000);
-                let tests = (0..2 * TASKS).map(|index| task(index, &mut rng));
-                let tests: Vec<Task> = tests.map(|task| task.expect("there is room")).collect();
-                println!("environment: {name}");
-                evaluate(name, &Shelf, task, &tests, seeds);
+                generated(name, &Shelf, task, seeds);
+            }
+            "negative_control" => {
+                let environment = Lottery { winning: 0.5 };
+                let task = |_, rng: &mut _| environment.task(rng);
+                generated(name, &environment, task, seeds);
             }
             _ => unreachable!("not an environment"),
         }
@@ -114,6 +117,20 @@ fn recorded<E: Describe>(
     evaluate(name, environment, task, &tests, seeds);
 }
 
+/// Tests are generated where none are recorded.
+fn generated<E: Describe>(
+    name: &str,
+    environment: &E,
+    task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
+    seeds: u64,
+) {
+    let mut rng = generator(0x7E57_0000_0000);
+    let tests = (0..2 * TASKS).map(|index| task(index, &mut rng));
+    let tests: Vec<Task> = tests.map(|task| task.expect("there is room")).collect();
+    println!("environment: {name}");
+    evaluate(name, environment, task, &tests, seeds);
+}
+
 fn evaluate<E: Describe>(
     name: &str,
     environment: &E,
@@ -121,24 +138,12 @@ fn evaluate<E: Describe>(
     tests: &[Task],
     seeds: u64,
 ) {
-    let training = training();
-    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training));
+    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training()));
     let mut skill_room = SkillRoom::new(environment);
     let mut planned = Row::new(name, "learned");
     for seed in FIRST_SEED..FIRST_SEED + seeds {
         let mut skills = skill_room.lend(environment);
-        let mut rng = generator(seed ^ 0x7EA1_0000_0000);
-        let tasks: Vec<Task> = (0..TRAINING)
-            .flat_map(|index| task(index, &mut rng))
-            .collect();
-        let learned = learn_from(
-            environment,
-            &mut skills,
-            &tasks,
-            seed,
-            &training,
-            &mut training_room,
-        );
+        let learned = train(environment, &task, seed, &mut skills, &mut training_room);
         let learned = learned.expect("learning does not fail");
         print_budgets(environment, &skills, &learned);
         for (index, learned) in learned.iter().enumerate() {
@@ -156,6 +161,23 @@ fn evaluate<E: Describe>(
     }
     original.print();
     planned.print();
+}
+
+/// Learns all skills from tasks of a seed. The room is one for [`training`].
+///
+/// # Errors
+/// Those of [`Skills::learn`].
+pub fn train<E: Describe>(
+    environment: &E,
+    task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
+    seed: u64,
+    skills: &mut Skills<'_>,
+    room: &mut TrainingRoom,
+) -> Result<Vec<Learned>, Error> {
+    let mut rng = generator(seed ^ 0x7EA1_0000_0000);
+    let tasks = (0..TRAINING).flat_map(|index| task(index, &mut rng));
+    let tasks: Vec<Task> = tasks.collect();
+    learn_from(environment, skills, &tasks, seed, &training(), room)
 }
 
 /// Prints what it took to learn all skills of each controller.

@@ -11,7 +11,7 @@ mod statistics;
 mod synthetic;
 mod table;
 
-pub use domains::{NAMES as DOMAINS, print as domains};
+pub use domains::{NAMES as DOMAINS, print as domains, train, training};
 pub use judge::{Score, Truth};
 pub use room::VersionSpaceRoom;
 pub use scenario::{Scenario, angles, chain, noise, pick};

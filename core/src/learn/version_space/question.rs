@@ -53,7 +53,8 @@ pub(super) fn anywhere(problem: &Problem<'_>, rng: &mut Generator) -> Query {
 }
 
 /// Uniform in the parameter space. Where something is proposed, every other time close
-/// to that, at any scale: a region that is a hundredth of the space is found there.
+/// to that, at any scale: a region that is a hundredth of the space is found there. What
+/// is proposed may lie beyond the space, if only by rounding; what is asked never does.
 fn any_theta(problem: &Problem<'_>, instance: usize, rng: &mut Generator) -> Theta {
     let mut theta = [0.0; MAX_PARAMETERS];
     for (value, p) in theta.iter_mut().zip(problem.domain().parameters()) {
@@ -61,7 +62,11 @@ fn any_theta(problem: &Problem<'_>, instance: usize, rng: &mut Generator) -> The
     }
     match problem.proposal(instance) {
         Some(proposal) if rng.next_u32() & 1 == 0 => {
-            between(proposal, &theta, libm::exp2(-SCALES * uniform(rng)))
+            let mut close = between(proposal, &theta, libm::exp2(-SCALES * uniform(rng)));
+            for (value, p) in close.iter_mut().zip(problem.domain().parameters()) {
+                *value = Real::clamp(*value, p.low, p.high);
+            }
+            close
         }
         _ => theta,
     }
