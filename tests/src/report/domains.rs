@@ -41,13 +41,13 @@ pub const NAMES: [&str; 8] = [
 pub fn training() -> Training {
     Training {
         learner: critreg::learn::version_space::Config {
-            calls: 100,
+            calls: 90,
             slack: 0.0,
             ..Default::default()
         },
-        chained: 50,
+        chained: 44,
         tasks: 12,
-        instances: 30,
+        instances: 32,
         states: 26,
     }
 }
