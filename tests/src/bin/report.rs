@@ -1,4 +1,5 @@
-//! What planning takes with learned regions: `report -- table [--seeds N]`.
+//! What planning takes with learned regions, in stick-button and in all environments:
+//! `report -- <table|domains|an environment> [--seeds N]`.
 //!
 //! How often the learners find the true region:
 //! `report -- <what> [--seeds N] [--calls N] [--instances N]`.
@@ -13,7 +14,7 @@ use critreg_tests::{pick, room::Room};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const USAGE: &str = "usage: report table [--seeds N]\n       report \
+const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n       report \
      <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
      [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]";
 

@@ -281,8 +281,8 @@ impl<E: Describe> Informed<'_, E> {
                 let parameters = completed(self.environment, ground, state, theta, rng);
                 Ok(Some(Drawn::Informed(parameters)))
             }
-            Err(Error::EmptyRegion) => self.blame(tail, draw).map(Some),
-            Err(Error::NoSample) => Ok(None),
+            // That nothing was found is no proof, but this is advice, and ends.
+            Err(Error::EmptyRegion | Error::NoSample) => self.blame(tail, draw).map(Some),
             Err(error) => Err(error),
         }
     }
