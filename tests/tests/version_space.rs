@@ -7,7 +7,7 @@ use critreg::learn::{
     Answer, Learner, Observation, Problem, Query, VersionSpace, learn_region, resume, save,
     saved_len,
 };
-use critreg::random::{generator, uniform};
+use critreg::random::{generator, uniform, uniform_in};
 use critreg::region::Region;
 use critreg_tests::report::{self, VersionSpaceRoom};
 use proptest::prelude::*;
@@ -313,6 +313,62 @@ fn what_is_not_tracked_is_computed() {
         for tracked in [0, 333] {
             let some = learn_tracking(&scenario, tracked);
             assert_eq!(some, all, "{} with {tracked} tracked", scenario.name);
+        }
+    }
+}
+
+/// A hand that works over the middle of a tray or clear of its rim, and near a lamp.
+const TRAY: &str = "
+    object tray { x: length, width: length }
+    object lamp { x: length }
+    parameter p in [0, 4]: length
+    point hand      = world + (p, 0)
+    point tray.mid  = world + (tray.x, 0)
+    point tray.core = tray.mid + (0.25 * tray.width, 0)
+    point tray.free = tray.mid + (1.5 * tray.width, 0)
+    point lamp.foot = world + (lamp.x, 0)
+";
+
+#[test]
+fn the_pieces_of_a_union_have_boundaries_of_their_own() {
+    let domain = Domain::parse(TRAY).unwrap();
+    let mut rng = generator(7);
+    let draw = |_| {
+        let numbers = [
+            uniform_in(&mut rng, 1.0, 3.0),
+            uniform_in(&mut rng, 0.3, 0.8),
+        ];
+        [
+            numbers[0],
+            numbers[1],
+            numbers[0] + uniform_in(&mut rng, -1.0, 1.0),
+        ]
+    };
+    let instances: Vec<f64> = (0..12).flat_map(draw).collect();
+    let problem = Problem::new(&domain, &instances, 12).unwrap();
+    let works = |instance: &[f64], p: f64| {
+        let off = (p - instance[0]).abs();
+        let clear = off <= 0.25 * instance[1] || off >= 1.5 * instance[1];
+        clear && (p - instance[2]).abs() <= 1.0
+    };
+    for seed in 0..4 {
+        let mut room = room(150, 12, 1);
+        let config = Config {
+            calls: 150,
+            ..config(seed)
+        };
+        let capacity = room.capacity;
+        let mut learner = VersionSpace::<f64>::new(&domain, config, capacity, room.lend()).unwrap();
+        let region = learn_region(&mut learner, &problem, |_, query| {
+            let instance = problem.instance(query.instance)?;
+            Ok::<_, Error>(Answer::from_feasible(works(instance, query.theta[0])))
+        });
+        let learned = text(region.unwrap(), &domain);
+        for piece in [
+            "dist(hand, tray.mid) - dist(tray.core, tray.mid) <= 0",
+            "dist(hand, tray.mid) - dist(tray.free, tray.mid) >= 0",
+        ] {
+            assert!(learned.contains(piece), "{seed}: {learned}");
         }
     }
 }

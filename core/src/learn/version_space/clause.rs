@@ -6,21 +6,25 @@
 //! of conjunctions, with what they have in common said once.
 
 use super::bound::Bound;
-use super::cover::Chosen;
+use super::cover::{Chosen, first_of, range};
 use super::forms::{Forms, Set, Side};
 use super::greedy::Taste;
 use super::set::{count, members};
 use crate::real::Real;
-use crate::table::{gather, move_last};
+use crate::table::{gather, move_last, take_out};
 use heapless::Vec;
 
 /// Samples that are tried to be excluded, each with all forms.
 const PIVOTS: usize = 3;
 /// First bounds for which a second one is looked for.
 const BEAM: usize = 24;
+/// Intervals, of different left sides, and how often other right sides of their two
+/// bounds are looked for.
+const STARTS: usize = 4;
+const ROUNDS: usize = 2;
 /// By how much the count of a constraint with two forms is reduced.
 const SECOND_FORM: f64 = 0.1;
-/// Most complex right sides of two bounds of different forms.
+/// Most complex right sides that pairs of bounds begin with.
 const LEVEL: u8 = 1;
 
 /// The constraint of two bounds that excludes most of `left` for its length.
@@ -29,50 +33,100 @@ pub(super) fn best_clause<R: Real>(
     left: &Set,
     step: usize,
 ) -> Option<Chosen<R>> {
-    let mut best: Option<(f64, Chosen<R>)> = None;
+    let feasible = &forms.feasible(step);
+    let mut best = Best::default();
     let all = count(left);
     for pivot in members(left).step_by(all.div_ceil(PIVOTS).max(1)) {
-        let around = interval_around(forms, left, step, pivot);
-        let found = around
-            .into_iter()
-            .chain(pair_against(forms, left, step, pivot));
-        for (worth, chosen) in found {
-            if best.as_ref().is_none_or(|(most, _)| worth > *most) {
-                best = Some((worth, chosen));
-            }
+        let search = Search {
+            forms,
+            feasible,
+            left,
+            pivot,
+        };
+        for start in search.intervals() {
+            best.offer(search.polish(start));
+        }
+        if let Some(start) = search.pair().0 {
+            best.offer(search.polish(start));
         }
     }
-    best.map(|(_, chosen)| chosen)
+    best.0.map(|candidate| candidate.chosen)
 }
 
-/// How much is excluded, with a preference for simple forms, and for one of them.
-fn worth<R: Real>(chosen: &Chosen<R>, excluded: usize) -> f64 {
-    let reduction = |bound: &Bound<R>| Taste::SOBER.reduction(bound.side.level);
-    let second = chosen
-        .or
-        .filter(|or| or.side.form != chosen.bound.side.form);
-    let second = second.map_or(0.0, |or| SECOND_FORM + reduction(&or));
-    excluded as f64 * (1.0 - 0.5 * (reduction(&chosen.bound) + second))
+/// A constraint and what it is worth.
+#[derive(Clone, Copy)]
+struct Candidate<R> {
+    worth: f64,
+    chosen: Chosen<R>,
 }
 
-/// The constraint without an interval of values of a form around a sample, in which
-/// nothing works.
-fn interval_around<R: Real>(
-    forms: &Forms<'_, R>,
-    left: &Set,
-    step: usize,
-    pivot: usize,
-) -> Option<(f64, Chosen<R>)> {
-    let feasible = forms.feasible(step);
-    let mut best: Option<(f64, Chosen<R>)> = None;
-    forms.for_each_side(u8::MAX, |below| {
-        if !below.upper {
-            return;
+impl<R: Real> Candidate<R> {
+    /// A constraint that excludes so many: worth more with simple forms, and with one.
+    fn new(chosen: Chosen<R>, excluded: usize) -> Self {
+        let reduction = |bound: &Bound<R>| Taste::SOBER.reduction(bound.side.level);
+        let second = chosen
+            .or
+            .filter(|or| or.side.form != chosen.bound.side.form);
+        let second = second.map_or(0.0, |or| SECOND_FORM + reduction(&or));
+        Candidate {
+            worth: excluded as f64 * (1.0 - 0.5 * (reduction(&chosen.bound) + second)),
+            chosen,
         }
-        let value = |sample: usize| forms.value_at(&below, sample);
-        let at = value(pivot);
+    }
+}
+
+/// The first of the constraints that are worth most.
+struct Best<R>(Option<Candidate<R>>);
+
+impl<R> Default for Best<R> {
+    fn default() -> Self {
+        Best(None)
+    }
+}
+
+impl<R: Real> Best<R> {
+    fn offer(&mut self, new: Candidate<R>) {
+        if self.0.as_ref().is_none_or(|best| new.worth > best.worth) {
+            self.0 = Some(new);
+        }
+    }
+}
+
+/// The search for a constraint that excludes a certain sample.
+struct Search<'s, 'm, R> {
+    forms: &'s Forms<'m, R>,
+    feasible: &'s Set,
+    /// What is to be excluded.
+    left: &'s Set,
+    pivot: usize,
+}
+
+impl<R: Real> Search<'_, '_, R> {
+    /// For some left sides the constraint without an interval of values around the
+    /// pivot, in which nothing works.
+    fn intervals(&self) -> Vec<Candidate<R>, STARTS> {
+        let mut best: Vec<Candidate<R>, STARTS> = Vec::new();
+        self.forms.for_each_side(u8::MAX, |below| {
+            let Some(new) = below.upper.then(|| self.interval(below)).flatten() else {
+                return;
+            };
+            let same = |old: &Candidate<R>| old.chosen.bound.side.left == below.left;
+            if let Some(own) = best.iter().position(same) {
+                if best.get(own).is_some_and(|old| old.worth >= new.worth) {
+                    return;
+                }
+                take_out(&mut best, own);
+            }
+            insert_sorted(&mut best, new, |a, b| a.worth > b.worth);
+        });
+        best
+    }
+
+    fn interval(&self, below: Side) -> Option<Candidate<R>> {
+        let value = |sample: usize| self.forms.value_at(&below, sample);
+        let at = value(self.pivot);
         let (mut low, mut high) = (-R::INFINITY, R::INFINITY);
-        for value in members(&feasible).map(value) {
+        for value in members(self.feasible).map(value) {
             if value < at {
                 low = low.max(value);
             } else {
@@ -80,52 +134,127 @@ fn interval_around<R: Real>(
             }
         }
         if !(low.is_finite() && high.is_finite() && at < high) {
-            return;
+            return None;
         }
-        let inside = members(left).map(value);
+        let inside = members(self.left).map(value);
         let excluded = inside.filter(|v| low < *v && *v < high).count();
         let above = Side {
             upper: false,
             ..below
         };
         let chosen = Chosen::any_of(bound(below, low, at), bound(above, -high, -at));
-        let worth = worth(&chosen, excluded);
-        if best.as_ref().is_none_or(|(most, _)| worth > *most) {
-            best = Some((worth, chosen));
+        Some(Candidate::new(chosen, excluded))
+    }
+
+    /// Two bounds of simple forms, neither of which the pivot satisfies, and one of
+    /// which every feasible sample does.
+    fn pair(&self) -> Best<R> {
+        let mut best = Best::default();
+        for first in self.promising().iter().copied() {
+            self.forms.for_each_side(LEVEL, |second| {
+                if let Some(new) = self.candidate([first, second]) {
+                    best.offer(new);
+                }
+            });
         }
-    });
-    best
+        best
+    }
+
+    fn candidate(&self, sides: [Side; 2]) -> Option<Candidate<R>> {
+        let [first, second] = sides;
+        let value = |side: &Side, sample| self.forms.value_at(side, sample);
+        let at = [value(&first, self.pivot), value(&second, self.pivot)];
+        let corner = corner(self.forms, self.feasible, [&first, &second], at);
+        let [inner, or] = corner.filter(|c| c.iter().all(|end| end.is_finite()))?;
+        let beyond = |s: &usize| value(&first, *s) > inner && value(&second, *s) > or;
+        let excluded = members(self.left).filter(beyond).count();
+        let [start, or_start] = at;
+        let chosen = Chosen::any_of(bound(first, inner, start), bound(second, or, or_start));
+        Some(Candidate::new(chosen, excluded))
+    }
+
+    /// Tries other right sides of any level, for one bound after the other.
+    fn polish(&self, start: Candidate<R>) -> Candidate<R> {
+        let mut best = Best(Some(start));
+        let mut polished = start;
+        for _ in 0..ROUNDS {
+            for_each_neighbour(self.forms, &polished.chosen, |sides| {
+                if let Some(new) = self.candidate(sides) {
+                    best.offer(new);
+                }
+            });
+            polished = best.0.unwrap_or(polished);
+        }
+        polished
+    }
+
+    /// The bounds that split the feasible samples and leave most others outside.
+    fn promising(&self) -> Vec<Side, BEAM> {
+        let mut best: Vec<(usize, Side), BEAM> = Vec::new();
+        let all = count(self.feasible);
+        self.forms.for_each_side(LEVEL, |side| {
+            let start = self.forms.value_at(&side, self.pivot);
+            let value = |sample: usize| self.forms.value_at(&side, sample);
+            let inside = members(self.feasible).filter(|s| value(*s) < start).count();
+            if inside == 0 || inside == all {
+                return;
+            }
+            let outside = members(self.left).filter(|s| value(*s) >= start).count();
+            insert_sorted(&mut best, (inside * outside, side), |a, b| a.0 > b.0);
+        });
+        gather(best.iter().map(|(_, side)| *side))
+    }
 }
 
-/// Two bounds of different forms, neither of which a sample satisfies, and one of
-/// which every feasible sample does.
-fn pair_against<R: Real>(
-    forms: &Forms<'_, R>,
-    left: &Set,
-    step: usize,
-    pivot: usize,
-) -> Option<(f64, Chosen<R>)> {
-    let feasible = forms.feasible(step);
-    let mut best: Option<(f64, Chosen<R>)> = None;
-    for first in promising(forms, left, &feasible, pivot).iter().copied() {
-        forms.for_each_side(LEVEL, |second| {
-            let value = |side: &Side, sample| forms.value_at(side, sample);
-            let at = [value(&first, pivot), value(&second, pivot)];
-            let corner = corner(forms, &feasible, [&first, &second], at);
-            let Some([inner, or]) = corner.filter(|c| c.iter().all(|end| end.is_finite())) else {
-                return;
-            };
-            let beyond = |s: &usize| value(&first, *s) > inner && value(&second, *s) > or;
-            let excluded = members(left).filter(beyond).count();
-            let [start, or_start] = at;
-            let chosen = Chosen::any_of(bound(first, inner, start), bound(second, or, or_start));
-            let worth = worth(&chosen, excluded);
-            if best.as_ref().is_none_or(|(most, _)| worth > *most) {
-                best = Some((worth, chosen));
-            }
-        });
+/// Inserts before what is worse, if there is room or the last is worse.
+fn insert_sorted<T, const N: usize>(
+    sorted: &mut Vec<T, N>,
+    new: T,
+    better: impl Fn(&T, &T) -> bool,
+) {
+    let place = sorted.iter().position(|other| better(&new, other));
+    let place = place.unwrap_or(sorted.len());
+    if sorted.is_full() && place < sorted.len() {
+        sorted.pop();
     }
-    best
+    if sorted.push(new).is_ok() {
+        move_last(sorted, place);
+    }
+}
+
+/// Calls `visit` with the sides of a constraint of two bounds, of which one has another
+/// right side.
+pub(super) fn for_each_neighbour<R: Real>(
+    forms: &Forms<'_, R>,
+    chosen: &Chosen<R>,
+    mut visit: impl FnMut([Side; 2]),
+) {
+    let Some(or) = &chosen.or else { return };
+    let (first, second) = (chosen.bound.side, or.side);
+    forms.for_each_right(&first, |other| visit([other, second]));
+    forms.for_each_right(&second, |other| visit([first, other]));
+}
+
+/// The constraint of two bounds that excludes `own` and nothing that works.
+pub(super) fn between<R: Real>(
+    forms: &Forms<'_, R>,
+    step: usize,
+    sides: [Side; 2],
+    own: &Set,
+) -> Option<Chosen<R>> {
+    let [first, second] = sides;
+    let ends = [first_of(forms, &first, own), first_of(forms, &second, own)];
+    let corner = corner(forms, &forms.feasible(step), [&first, &second], ends);
+    let [inner, or_inner] = corner.filter(|c| c.iter().all(|end| end.is_finite()))?;
+    let [outer, or_outer] = ends;
+    let mut chosen = Chosen::any_of(
+        bound(first, inner, outer),
+        bound(second, or_inner, or_outer),
+    );
+    for bound in chosen.bounds_mut() {
+        bound.range = range(forms, &bound.side, step);
+    }
+    Some(chosen)
 }
 
 /// How far two bounds reach, of which each of these samples satisfies one; `None` if
@@ -164,36 +293,6 @@ pub(super) fn corner<R: Real>(
         }
     }
     Some([inner, or])
-}
-
-/// The bounds that split the feasible samples and leave most others outside.
-fn promising<R: Real>(
-    forms: &Forms<'_, R>,
-    left: &Set,
-    feasible: &Set,
-    pivot: usize,
-) -> Vec<Side, BEAM> {
-    let mut best: Vec<(usize, Side), BEAM> = Vec::new();
-    let all = count(feasible);
-    forms.for_each_side(LEVEL, |side| {
-        let start = forms.value_at(&side, pivot);
-        let value = |sample: usize| forms.value_at(&side, sample);
-        let inside = members(feasible).filter(|s| value(*s) < start).count();
-        if inside == 0 || inside == all {
-            return;
-        }
-        let outside = members(left).filter(|s| value(*s) >= start).count();
-        let score = inside * outside;
-        let place = best.iter().position(|(other, _)| score > *other);
-        let place = place.unwrap_or(best.len());
-        if best.is_full() && place < best.len() {
-            best.pop();
-        }
-        if best.push((score, side)).is_ok() {
-            move_last(&mut best, place);
-        }
-    });
-    gather(best.iter().map(|(_, side)| *side))
 }
 
 fn bound<R: Real>(side: Side, inner: R, outer: R) -> Bound<R> {

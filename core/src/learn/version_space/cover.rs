@@ -7,7 +7,7 @@
 //! description length, Rissanen 1978).
 
 use super::bound::Bound;
-use super::clause::{best_clause, corner};
+use super::clause::{best_clause, between, corner, for_each_neighbour};
 use super::forms::{Forms, MAX_WORDS, Set, Side, tolerance};
 use super::greedy::{Taste, best_side};
 use super::set::{count, insert, is_empty, members, remove};
@@ -59,7 +59,7 @@ impl<R: Real> Chosen<R> {
         core::iter::once(&self.bound).chain(&self.or)
     }
 
-    fn bounds_mut(&mut self) -> impl Iterator<Item = &mut Bound<R>> {
+    pub(super) fn bounds_mut(&mut self) -> impl Iterator<Item = &mut Bound<R>> {
         core::iter::once(&mut self.bound).chain(&mut self.or)
     }
 
@@ -388,6 +388,14 @@ impl<R: Real> Cover<R> {
                         if bits < least {
                             (best, least) = (new, bits);
                         }
+                    }
+                }
+            });
+            for_each_neighbour(forms, &old, |sides| {
+                if let Some(new) = between(forms, step, sides, &alone) {
+                    let bits = new.bits(forms, &others) + details(&new);
+                    if bits < least {
+                        (best, least) = (new, bits);
                     }
                 }
             });

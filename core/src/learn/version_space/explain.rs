@@ -107,7 +107,8 @@ fn threshold<R: Real>(
 ) -> (f64, Option<Named>) {
     let outward = |value: R| bound.side.outward(value).to_f64();
     if is_sign(bound) {
-        return (outward(bound.inner.max(R::ZERO)), None);
+        // The sum has no negative zero.
+        return (outward(bound.inner.max(R::ZERO)) + 0.0, None);
     }
     match name(domain, forms, bound) {
         Some(mut named) if named.alone => {

@@ -242,18 +242,34 @@ impl<R: Real> Choice<'_, '_, R> {
         self.at_value(problem, (chosen, bound), value, tested, rng)
     }
 
-    /// Of some candidates, the one farthest from all samples of its instance: what
-    /// nobody suspects is found there. Every other time only candidates count that
-    /// the best explanation admits, because a gap in it does most harm.
-    #[inline(never)]
+    /// What nobody suspects is found far from all samples. Every other time only
+    /// candidates count that the best explanation admits, because a gap in it does most
+    /// harm, or that one of several constraints refuses, because there a second piece
+    /// of a union would be.
     pub(super) fn farthest(
         &self,
         problem: &Problem<'_>,
         rng: &mut Generator,
     ) -> Result<Option<Query>, Error> {
+        if rng.next_u32() & 1 == 0 {
+            return self.farthest_refused_by(problem, |_| true, rng);
+        }
+        let several = self.best_chosen().nth(1).is_some();
+        let wanted = usize::from(several && rng.next_u32() & 1 == 0);
+        self.farthest_refused_by(problem, |refused| refused == wanted, rng)
+    }
+
+    /// Of some candidates that are refused by so many constraints of the best
+    /// explanation, the one farthest from all samples of its instance.
+    #[inline(never)]
+    fn farthest_refused_by(
+        &self,
+        problem: &Problem<'_>,
+        counts: impl Fn(usize) -> bool,
+        rng: &mut Generator,
+    ) -> Result<Option<Query>, Error> {
         let points = PointSet::all(problem.domain());
         let mut best: Option<(f64, Query)> = None;
-        let everywhere = rng.next_u32() & 1 == 0;
         for _ in 0..GROUPS {
             let instance = below(rng, problem.count());
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
@@ -261,8 +277,9 @@ impl<R: Real> Choice<'_, '_, R> {
             for _ in 0..EACH {
                 let theta = any_theta(problem, instance, rng);
                 let lefts = self.forms.evaluate(&scene, &theta);
-                let admitted = || self.best_chosen().all(|c| self.admits(c, instance, &lefts));
-                if !everywhere && !admitted() {
+                let refusing = self.best_chosen();
+                let refusing = refusing.filter(|c| !self.admits(c, instance, &lefts));
+                if !counts(refusing.count()) {
                     continue;
                 }
                 let query = Query { instance, theta };

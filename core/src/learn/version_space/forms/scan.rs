@@ -27,6 +27,20 @@ impl<R: Real> Forms<'_, R> {
         }
     }
 
+    /// Calls `visit` with every form of the same left side, from the same direction.
+    pub(in crate::learn::version_space) fn for_each_right(
+        &self,
+        side: &Side,
+        mut visit: impl FnMut(Side),
+    ) {
+        let runs = self.layout.runs();
+        for run in runs.filter(|run| run.left == usize::from(side.left)) {
+            for (form, column) in run.forms.clone().zip(run.columns.clone()) {
+                visit(run.side(form, column, side.upper));
+            }
+        }
+    }
+
     /// Calls `visit` with every form from both directions and the number of
     /// infeasible samples of `wanted`, all of one step, that it excludes, unless it is
     /// zero.
