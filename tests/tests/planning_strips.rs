@@ -412,7 +412,11 @@ fn what_is_postponed_waits_as_long_as_patience() {
         // The root is expanded before there is an objection, and then the sequences of
         // the second operator alone, each of which makes one longer and one that reaches
         // the goal.
-        assert_eq!(advised.len(), (patience as usize).saturating_sub(1), "{patience}");
+        assert_eq!(
+            advised.len(),
+            (patience as usize).saturating_sub(1),
+            "{patience}"
+        );
         assert!(!advised.iter().flatten().any(|place| *place == 0));
         assert_eq!(again, [[0]]);
     }

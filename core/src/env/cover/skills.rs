@@ -52,7 +52,8 @@ static COVER_REGRASP: [Description; 3] = [
     ),
 ];
 
-static REGIONAL_BUMPY_COVER: [Description; 5] = [
+/// Picking from a target is left to the original sampler, which draws just what works.
+static REGIONAL_BUMPY_COVER: [Description; 4] = [
     alone(RegionalBumpyCover::PICK_FROM_SMOOTH, PICK),
     alone(
         RegionalBumpyCover::PICK_FROM_BUMPY,
@@ -66,7 +67,6 @@ static REGIONAL_BUMPY_COVER: [Description; 5] = [
         RegionalBumpyCover::PLACE_ON_BUMPY,
         include_str!("skills/place_on_bumpy.txt"),
     ),
-    alone(RegionalBumpyCover::PICK_FROM_TARGET, PICK),
 ];
 
 impl Describe for Cover {

@@ -83,6 +83,8 @@ pub(super) struct Wanted {
     pub(super) settings: usize,
     /// Such that they differ; otherwise in the order of the tasks.
     pub(super) differing: bool,
+    /// Only such as take no way, if there are enough.
+    pub(super) direct: bool,
 }
 
 impl Skills<'_> {
@@ -91,8 +93,7 @@ impl Skills<'_> {
     ///
     /// Where an operator is not applicable in the initial state it is planned for, with
     /// the skills learned so far (the thesis's single-operator task plans); and if there
-    /// are not enough settings yet, again with other parameters on the way. Settings that
-    /// need not differ are those that take no way, if there are enough.
+    /// are not enough settings yet, again with other parameters on the way.
     pub(super) fn collect<E: Describe>(
         &self,
         skill: &Skill,
@@ -101,8 +102,11 @@ impl Skills<'_> {
         wanted: Wanted,
         memory: &mut TrainingMemory<'_>,
     ) -> Result<(usize, usize, u32), Error> {
-        let candidates = enumerate(environment, skill, tasks, memory)?;
         let room = wanted.settings.min(memory.settings.len());
+        let mut candidates = enumerate(environment, skill, tasks, wanted.direct, memory)?;
+        if candidates < room && wanted.direct {
+            candidates = enumerate(environment, skill, tasks, false, memory)?;
+        }
         if wanted.differing {
             let swap = |memory: &mut TrainingMemory<'_>, a, b| {
                 swap_rows(memory.candidates, 1, a, b);
@@ -122,7 +126,6 @@ impl Skills<'_> {
                 let seed = (round << 16 | index as u64) << 32;
                 let grounded =
                     Grounded::new(environment, self, task, memory.operators, &candidate, seed)?;
-                let planner = (wanted.differing || round > 0).then_some(planner);
                 let (setting, runs) = grounded.realise(skill, &candidate, planner)?;
                 calls += runs;
                 // What takes no way would be the same again.
@@ -192,11 +195,13 @@ pub(super) fn survey<E: Describe>(
 }
 
 /// Lists candidates in the order of the tasks, as many as there is room for, with the
-/// numbers of their instances and parameters of the original sampler.
+/// numbers of their instances and parameters of the original sampler; `direct` leaves out
+/// those whose operator is not applicable in the initial state.
 fn enumerate<E: Describe>(
     environment: &E,
     skill: &Skill,
     tasks: &[Task],
+    direct: bool,
     memory: &mut TrainingMemory<'_>,
 ) -> Result<usize, Error> {
     let mut count = 0;
@@ -205,9 +210,9 @@ fn enumerate<E: Describe>(
         memory.operators.clear();
         let lifted = environment.operators();
         ground_operators(lifted, &task.initial, &atoms, memory.operators)?;
-        let of_task = count;
-        for own in of_controller(environment, memory.operators, skill.description.own) {
-            let (own, arguments) = own;
+        let (of_task, initial) = (count, atoms.abstract_state(environment, &task.initial));
+        let own = of_controller(environment, memory.operators, skill.description.own);
+        for (own, arguments) in own.filter(|(own, _)| !direct || own.is_applicable(initial)) {
             let later = skill.description.later;
             let later = later.map(|id| of_controller(environment, memory.operators, id));
             let none = later.is_none().then(Arguments::default);
@@ -321,12 +326,12 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
     }
 
     /// The setting of a candidate, if there is a way to it, and how many controllers
-    /// were run to find it. Without a planner there is no way.
+    /// were run to find it.
     fn realise(
         &self,
         skill: &Skill,
         candidate: &Candidate,
-        planner: Option<crate::plan::Memory<'_, State>>,
+        planner: crate::plan::Memory<'_, State>,
     ) -> Result<(Option<Setting>, u32), Error> {
         let own = || self.of(skill.description.own, &candidate.own);
         let (state, calls) = self.reach(own, planner)?;
@@ -366,15 +371,12 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
     fn reach<I: Iterator<Item = &'o GroundOperator>>(
         &self,
         own: impl Fn() -> I,
-        memory: Option<crate::plan::Memory<'_, State>>,
+        mut memory: crate::plan::Memory<'_, State>,
     ) -> Result<(Option<State>, u32), Error> {
         let initial = self.atoms.abstract_state(self.environment, self.initial);
         if own().any(|ground| ground.is_applicable(initial)) {
             return Ok((Some(self.initial.clone()), 0));
         }
-        let Some(mut memory) = memory else {
-            return Ok((None, 0));
-        };
         let mut calls = 0;
         for ground in own() {
             let world = Simulated {

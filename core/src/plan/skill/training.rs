@@ -95,6 +95,7 @@ impl Skills<'_> {
             tasks: tasks.len(),
             settings: wanted,
             differing: false,
+            direct: false,
         };
         let (count, ..) = self.collect(skill, environment, tasks, wanted, &mut memory)?;
         Ok(count)
@@ -128,6 +129,8 @@ impl Skills<'_> {
             tasks: training.tasks,
             settings: settings.min(memory.capacity.instances),
             differing: sampled,
+            // What comes before only matters to what is learned of a controller alone.
+            direct: !sampled || later.is_some(),
         };
         let (mut count, tasks, mut calls) =
             self.collect(skill, environment, tasks, wanted, &mut memory)?;
