@@ -43,7 +43,7 @@ pub(super) fn best_clause<R: Real>(
             left,
             pivot,
         };
-        for start in search.intervals() {
+        for start in search.intervals().iter().copied() {
             best.offer(search.polish(start));
         }
         if let Some(start) = search.pair().0 {
