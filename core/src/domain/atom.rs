@@ -83,6 +83,16 @@ pub struct LiftedAtom<'a> {
     pub variables: &'a [u8],
 }
 
+impl<'a> LiftedAtom<'a> {
+    /// The predicate of these variables.
+    pub const fn new(predicate: PredicateId, variables: &'a [u8]) -> Self {
+        LiftedAtom {
+            predicate,
+            variables,
+        }
+    }
+}
+
 impl LiftedAtom<'_> {
     /// The atom for these objects, one for each operator parameter.
     ///

@@ -46,6 +46,13 @@ pub struct Attribute<'t> {
     pub dimension: Dimension,
 }
 
+impl<'t> Attribute<'t> {
+    /// The attribute of this name.
+    pub const fn new(name: &'t str, dimension: Dimension) -> Self {
+        Attribute { name, dimension }
+    }
+}
+
 /// A thing in the world; its attributes are read from the problem instance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object<'t> {

@@ -116,13 +116,9 @@ impl Environment for Blocks {
     }
 }
 
-const fn attribute(name: &'static str, dimension: Dimension) -> Attribute<'static> {
-    Attribute { name, dimension }
-}
-
-const X: Attribute<'static> = attribute("x", Dimension::Length);
-const Y: Attribute<'static> = attribute("y", Dimension::Length);
-const Z: Attribute<'static> = attribute("z", Dimension::Length);
+const X: Attribute<'static> = Attribute::new("x", Dimension::Length);
+const Y: Attribute<'static> = Attribute::new("y", Dimension::Length);
+const Z: Attribute<'static> = Attribute::new("z", Dimension::Length);
 
 static TYPES: [ObjectType; 2] = [
     ObjectType {
@@ -131,16 +127,16 @@ static TYPES: [ObjectType; 2] = [
             X,
             Y,
             Z,
-            attribute("held", Dimension::Flag),
-            attribute("red", Dimension::None),
-            attribute("green", Dimension::None),
-            attribute("blue", Dimension::None),
+            Attribute::new("held", Dimension::Flag),
+            Attribute::new("red", Dimension::None),
+            Attribute::new("green", Dimension::None),
+            Attribute::new("blue", Dimension::None),
         ],
         naming: Naming::Numbered("block"),
     },
     ObjectType {
         name: "robot",
-        attributes: &[X, Y, Z, attribute("fingers", Dimension::Flag)],
+        attributes: &[X, Y, Z, Attribute::new("fingers", Dimension::Flag)],
         naming: Naming::Single("robby"),
     },
 ];

@@ -3,25 +3,18 @@
 use super::{
     BLOCK_TYPE, CLEAR, GRIPPER_OPEN, HOLDING, ON, ON_TABLE, PICK, PUT_ON_TABLE, ROBOT_TYPE, STACK,
 };
-use crate::domain::{LiftedAtom, Operator, PredicateId};
-
-const fn atom(predicate: PredicateId, variables: &'static [u8]) -> LiftedAtom<'static> {
-    LiftedAtom {
-        predicate,
-        variables,
-    }
-}
+use crate::domain::{LiftedAtom, Operator};
 
 /// The block that moves is the first parameter of every operator.
-const CLEAR_ABOVE: LiftedAtom<'static> = atom(CLEAR, &[0]);
-const HELD: LiftedAtom<'static> = atom(HOLDING, &[0]);
-const ON_THE_TABLE: LiftedAtom<'static> = atom(ON_TABLE, &[0]);
+const CLEAR_ABOVE: LiftedAtom<'static> = LiftedAtom::new(CLEAR, &[0]);
+const HELD: LiftedAtom<'static> = LiftedAtom::new(HOLDING, &[0]);
+const ON_THE_TABLE: LiftedAtom<'static> = LiftedAtom::new(ON_TABLE, &[0]);
 /// The other block is the second parameter where there is one.
-const ON_THE_OTHER: LiftedAtom<'static> = atom(ON, &[0, 1]);
-const OTHER_CLEAR_ABOVE: LiftedAtom<'static> = atom(CLEAR, &[1]);
+const ON_THE_OTHER: LiftedAtom<'static> = LiftedAtom::new(ON, &[0, 1]);
+const OTHER_CLEAR_ABOVE: LiftedAtom<'static> = LiftedAtom::new(CLEAR, &[1]);
 /// The robot is the last parameter.
-const OPEN: LiftedAtom<'static> = atom(GRIPPER_OPEN, &[1]);
-const OPEN_BESIDE_TWO: LiftedAtom<'static> = atom(GRIPPER_OPEN, &[2]);
+const OPEN: LiftedAtom<'static> = LiftedAtom::new(GRIPPER_OPEN, &[1]);
+const OPEN_BESIDE_TWO: LiftedAtom<'static> = LiftedAtom::new(GRIPPER_OPEN, &[2]);
 
 pub(super) static OPERATORS: [Operator<'static>; 4] = [
     Operator {

@@ -180,18 +180,14 @@ impl Environment for ClutteredTablePlace {
 static TYPES: [ObjectType; 1] = [ObjectType {
     name: "can",
     attributes: &[
-        attribute("x", Dimension::Length),
-        attribute("y", Dimension::Length),
-        attribute("radius", Dimension::Length),
-        attribute("grasped", Dimension::Flag),
-        attribute("trashed", Dimension::Flag),
+        Attribute::new("x", Dimension::Length),
+        Attribute::new("y", Dimension::Length),
+        Attribute::new("radius", Dimension::Length),
+        Attribute::new("grasped", Dimension::Flag),
+        Attribute::new("trashed", Dimension::Flag),
     ],
     naming: Naming::Numbered("can"),
 }];
-
-const fn attribute(name: &'static str, dimension: Dimension) -> Attribute<'static> {
-    Attribute { name, dimension }
-}
 
 /// The cans of a state; `None` if it does not belong to these environments.
 pub fn cans(state: &State) -> Option<&[Can]> {

@@ -1,19 +1,12 @@
 //! The operators: grasping, and the two ways to get rid of a can.
 
 use super::{CAN_TYPE, HAND_EMPTY, HOLDING, UNTRASHED, controllers};
-use crate::domain::{LiftedAtom, Operator, PredicateId};
-
-const fn atom(predicate: PredicateId, variables: &'static [u8]) -> LiftedAtom<'static> {
-    LiftedAtom {
-        predicate,
-        variables,
-    }
-}
+use crate::domain::{LiftedAtom, Operator};
 
 /// The can is the only parameter of every operator.
-const HELD: LiftedAtom<'static> = atom(HOLDING, &[0]);
-const ON_TABLE_OR_HELD: LiftedAtom<'static> = atom(UNTRASHED, &[0]);
-const NOTHING_HELD: LiftedAtom<'static> = atom(HAND_EMPTY, &[]);
+const HELD: LiftedAtom<'static> = LiftedAtom::new(HOLDING, &[0]);
+const ON_TABLE_OR_HELD: LiftedAtom<'static> = LiftedAtom::new(UNTRASHED, &[0]);
+const NOTHING_HELD: LiftedAtom<'static> = LiftedAtom::new(HAND_EMPTY, &[]);
 
 pub(super) const DUMP: Operator<'static> = Operator {
     name: "Dump",

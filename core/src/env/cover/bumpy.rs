@@ -1,6 +1,6 @@
 //! Cover with a bumpy region, where the bumpy block cannot be grasped at its middle.
 
-use super::controllers::{atom, controller, parameters, sample_pick};
+use super::controllers::{controller, parameters, sample_pick};
 use super::world::{Block, Rules, Target, blocks, targets};
 use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES_WITH_BUMPS, predicates};
 use crate::domain::{
@@ -113,12 +113,12 @@ static CONTROLLERS: [Controller<RegionalBumpyCover>; 5] = [
     controller("PlaceOnTarget", &[BLOCK_TYPE, TARGET_TYPE]),
 ];
 
-const IS_HELD: LiftedAtom<'static> = atom(RegionalBumpyCover::HOLDING, &[0]);
-const IS_SMOOTH: LiftedAtom<'static> = atom(RegionalBumpyCover::IN_SMOOTH_REGION, &[0]);
-const IS_ROUGH: LiftedAtom<'static> = atom(RegionalBumpyCover::IN_BUMPY_REGION, &[0]);
-const HAND_IS_EMPTY: LiftedAtom<'static> = atom(RegionalBumpyCover::HAND_EMPTY, &[]);
-const COVERS: LiftedAtom<'static> = atom(RegionalBumpyCover::COVERS, &[0, 1]);
-const IS_CLEAR: LiftedAtom<'static> = atom(RegionalBumpyCover::CLEAR, &[1]);
+const IS_HELD: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::HOLDING, &[0]);
+const IS_SMOOTH: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::IN_SMOOTH_REGION, &[0]);
+const IS_ROUGH: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::IN_BUMPY_REGION, &[0]);
+const HAND_IS_EMPTY: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::HAND_EMPTY, &[]);
+const COVERS: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::COVERS, &[0, 1]);
+const IS_CLEAR: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::CLEAR, &[1]);
 
 static OPERATORS: [Operator<'static>; 5] = [
     Operator {

@@ -2,22 +2,13 @@
 
 use super::Action;
 use super::world::{Block, Target, around};
-use crate::domain::{
-    Controller, Environment, LiftedAtom, Parameters, PredicateId, Terminal, TypeId, always,
-};
+use crate::domain::{Controller, Environment, Parameters, Terminal, TypeId, always};
 use crate::random::uniform_in;
 use crate::real::Real;
 use rand_core::Rng;
 
 /// Where one can click.
 const SPACE: [f64; 2] = [0.0, 1.0];
-
-pub(super) const fn atom(predicate: PredicateId, variables: &'static [u8]) -> LiftedAtom<'static> {
-    LiftedAtom {
-        predicate,
-        variables,
-    }
-}
 
 /// A controller that clicks once, at its parameter.
 pub(super) const fn controller<E: Environment<Action = Action>>(

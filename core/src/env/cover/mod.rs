@@ -108,19 +108,15 @@ pub const TARGETS: [ObjectId; 2] = [ObjectId(3), ObjectId(4)];
 /// Where to click.
 pub type Action = f32;
 
-const fn attribute(name: &'static str, dimension: Dimension) -> Attribute<'static> {
-    Attribute { name, dimension }
-}
-
-const IS_BLOCK: Attribute<'static> = attribute("is_block", Dimension::Flag);
-const IS_TARGET: Attribute<'static> = attribute("is_target", Dimension::Flag);
-const WIDTH: Attribute<'static> = attribute("width", Dimension::Length);
-const POSE: Attribute<'static> = attribute("pose", Dimension::Length);
-const GRASP: Attribute<'static> = attribute("grasp", Dimension::Length);
-const HAND: Attribute<'static> = attribute("hand", Dimension::Length);
-const POSE_X: Attribute<'static> = attribute("pose_x", Dimension::Length);
-const POSE_Z: Attribute<'static> = attribute("pose_z", Dimension::Length);
-const BUMPY: Attribute<'static> = attribute("bumpy", Dimension::None);
+const IS_BLOCK: Attribute<'static> = Attribute::new("is_block", Dimension::Flag);
+const IS_TARGET: Attribute<'static> = Attribute::new("is_target", Dimension::Flag);
+const WIDTH: Attribute<'static> = Attribute::new("width", Dimension::Length);
+const POSE: Attribute<'static> = Attribute::new("pose", Dimension::Length);
+const GRASP: Attribute<'static> = Attribute::new("grasp", Dimension::Length);
+const HAND: Attribute<'static> = Attribute::new("hand", Dimension::Length);
+const POSE_X: Attribute<'static> = Attribute::new("pose_x", Dimension::Length);
+const POSE_Z: Attribute<'static> = Attribute::new("pose_z", Dimension::Length);
+const BUMPY: Attribute<'static> = Attribute::new("bumpy", Dimension::None);
 
 /// The types, with these attributes of the blocks.
 const fn types(block: &'static [Attribute<'static>]) -> [ObjectType; 3] {

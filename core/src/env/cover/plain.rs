@@ -1,6 +1,6 @@
 //! Cover: the hand reaches blocks and the centres of targets.
 
-use super::controllers::{atom, controller, parameters, sample_pick, sample_place};
+use super::controllers::{controller, parameters, sample_pick, sample_place};
 use super::world::{Block, Rules, Target, around, blocks, targets};
 use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES, predicates};
 use crate::domain::{
@@ -56,9 +56,9 @@ static CONTROLLERS: [Controller<Cover>; 2] = [
     controller("Place", &[BLOCK_TYPE, TARGET_TYPE]),
 ];
 
-const IS_BLOCK: LiftedAtom<'static> = atom(Cover::IS_BLOCK, &[0]);
-const IS_HELD: LiftedAtom<'static> = atom(Cover::HOLDING, &[0]);
-const HAND_IS_EMPTY: LiftedAtom<'static> = atom(Cover::HAND_EMPTY, &[]);
+const IS_BLOCK: LiftedAtom<'static> = LiftedAtom::new(Cover::IS_BLOCK, &[0]);
+const IS_HELD: LiftedAtom<'static> = LiftedAtom::new(Cover::HOLDING, &[0]);
+const HAND_IS_EMPTY: LiftedAtom<'static> = LiftedAtom::new(Cover::HAND_EMPTY, &[]);
 
 static OPERATORS: [Operator<'static>; 2] = [
     Operator {
@@ -73,8 +73,8 @@ static OPERATORS: [Operator<'static>; 2] = [
     Operator {
         name: "Place",
         parameters: &[BLOCK_TYPE, TARGET_TYPE],
-        preconditions: &[IS_BLOCK, atom(Cover::IS_TARGET, &[1]), IS_HELD],
-        add_effects: &[HAND_IS_EMPTY, atom(Cover::COVERS, &[0, 1])],
+        preconditions: &[IS_BLOCK, LiftedAtom::new(Cover::IS_TARGET, &[1]), IS_HELD],
+        add_effects: &[HAND_IS_EMPTY, LiftedAtom::new(Cover::COVERS, &[0, 1])],
         delete_effects: &[IS_HELD],
         controller: Cover::PLACE,
         controller_arguments: &[0, 1],

@@ -1,7 +1,7 @@
 //! Cover with regrasping: the hand reaches what is far from targets, and the middle of
 //! them.
 
-use super::controllers::{atom, controller, parameters, sample_pick, sample_place};
+use super::controllers::{controller, parameters, sample_pick, sample_place};
 use super::world::{Block, Rules, Target, targets};
 use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES, predicates};
 use crate::domain::{
@@ -70,10 +70,10 @@ static CONTROLLERS: [Controller<CoverRegrasp>; 3] = [
     controller("PlaceOnTable", &[BLOCK_TYPE]),
 ];
 
-const IS_BLOCK: LiftedAtom<'static> = atom(CoverRegrasp::IS_BLOCK, &[0]);
-const IS_HELD: LiftedAtom<'static> = atom(CoverRegrasp::HOLDING, &[0]);
-const HAND_IS_EMPTY: LiftedAtom<'static> = atom(CoverRegrasp::HAND_EMPTY, &[]);
-const IS_CLEAR: LiftedAtom<'static> = atom(CoverRegrasp::CLEAR, &[1]);
+const IS_BLOCK: LiftedAtom<'static> = LiftedAtom::new(CoverRegrasp::IS_BLOCK, &[0]);
+const IS_HELD: LiftedAtom<'static> = LiftedAtom::new(CoverRegrasp::HOLDING, &[0]);
+const HAND_IS_EMPTY: LiftedAtom<'static> = LiftedAtom::new(CoverRegrasp::HAND_EMPTY, &[]);
+const IS_CLEAR: LiftedAtom<'static> = LiftedAtom::new(CoverRegrasp::CLEAR, &[1]);
 
 static OPERATORS: [Operator<'static>; 3] = [
     Operator {
@@ -90,11 +90,14 @@ static OPERATORS: [Operator<'static>; 3] = [
         parameters: &[BLOCK_TYPE, TARGET_TYPE],
         preconditions: &[
             IS_BLOCK,
-            atom(CoverRegrasp::IS_TARGET, &[1]),
+            LiftedAtom::new(CoverRegrasp::IS_TARGET, &[1]),
             IS_HELD,
             IS_CLEAR,
         ],
-        add_effects: &[HAND_IS_EMPTY, atom(CoverRegrasp::COVERS, &[0, 1])],
+        add_effects: &[
+            HAND_IS_EMPTY,
+            LiftedAtom::new(CoverRegrasp::COVERS, &[0, 1]),
+        ],
         delete_effects: &[IS_HELD, IS_CLEAR],
         controller: CoverRegrasp::PLACE,
         controller_arguments: &[0, 1],

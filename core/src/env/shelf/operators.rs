@@ -6,19 +6,12 @@
 use super::{
     BOX_TYPE, HAND_EMPTY, HOLDING, IN_SHELF, ON_TABLE, PICK, PLACE, ROBOT_TYPE, SHELF_TYPE,
 };
-use crate::domain::{LiftedAtom, Operator, PredicateId};
-
-const fn atom(predicate: PredicateId, variables: &'static [u8]) -> LiftedAtom<'static> {
-    LiftedAtom {
-        predicate,
-        variables,
-    }
-}
+use crate::domain::{LiftedAtom, Operator};
 
 // Robot and box are the first parameters of both operators.
-const HAND_IS_EMPTY: LiftedAtom<'static> = atom(HAND_EMPTY, &[0]);
-const BOX_IS_HELD: LiftedAtom<'static> = atom(HOLDING, &[0, 1]);
-const BOX_IS_ON_TABLE: LiftedAtom<'static> = atom(ON_TABLE, &[1]);
+const HAND_IS_EMPTY: LiftedAtom<'static> = LiftedAtom::new(HAND_EMPTY, &[0]);
+const BOX_IS_HELD: LiftedAtom<'static> = LiftedAtom::new(HOLDING, &[0, 1]);
+const BOX_IS_ON_TABLE: LiftedAtom<'static> = LiftedAtom::new(ON_TABLE, &[1]);
 
 pub(super) static OPERATORS: [Operator<'static>; 2] = [
     Operator {
@@ -34,7 +27,7 @@ pub(super) static OPERATORS: [Operator<'static>; 2] = [
         name: "Place",
         parameters: &[ROBOT_TYPE, BOX_TYPE, SHELF_TYPE],
         preconditions: &[BOX_IS_HELD],
-        add_effects: &[HAND_IS_EMPTY, atom(IN_SHELF, &[1, 2])],
+        add_effects: &[HAND_IS_EMPTY, LiftedAtom::new(IN_SHELF, &[1, 2])],
         delete_effects: &[BOX_IS_HELD],
         controller: PLACE,
         controller_arguments: &[0, 1, 2],

@@ -131,13 +131,9 @@ impl Environment for StickButton {
     }
 }
 
-const fn attribute(name: &'static str, dimension: Dimension) -> Attribute<'static> {
-    Attribute { name, dimension }
-}
-
-const X: Attribute<'static> = attribute("x", Dimension::Length);
-const Y: Attribute<'static> = attribute("y", Dimension::Length);
-const THETA: Attribute<'static> = attribute("theta", Dimension::Angle);
+const X: Attribute<'static> = Attribute::new("x", Dimension::Length);
+const Y: Attribute<'static> = Attribute::new("y", Dimension::Length);
+const THETA: Attribute<'static> = Attribute::new("theta", Dimension::Angle);
 
 static TYPES: [ObjectType; 4] = [
     ObjectType {
@@ -147,7 +143,7 @@ static TYPES: [ObjectType; 4] = [
     },
     ObjectType {
         name: "stick",
-        attributes: &[X, Y, THETA, attribute("held", Dimension::Flag)],
+        attributes: &[X, Y, THETA, Attribute::new("held", Dimension::Flag)],
         naming: Naming::Single("stick"),
     },
     ObjectType {
@@ -157,7 +153,7 @@ static TYPES: [ObjectType; 4] = [
     },
     ObjectType {
         name: "button",
-        attributes: &[X, Y, attribute("pressed", Dimension::Flag)],
+        attributes: &[X, Y, Attribute::new("pressed", Dimension::Flag)],
         naming: Naming::Numbered("button"),
     },
 ];

@@ -8,28 +8,21 @@ use super::{
     ROBOT_ABOVE_BUTTON, ROBOT_PRESS_BUTTON, ROBOT_TYPE, STICK_ABOVE_BUTTON, STICK_PRESS_BUTTON,
     STICK_TYPE,
 };
-use crate::domain::{LiftedAtom, Operator, PredicateId};
-
-const fn atom(predicate: PredicateId, variables: &'static [u8]) -> LiftedAtom<'static> {
-    LiftedAtom {
-        predicate,
-        variables,
-    }
-}
+use crate::domain::{LiftedAtom, Operator};
 
 /// The robot is the first parameter of every operator.
-const HAND_IS_EMPTY: LiftedAtom<'static> = atom(HAND_EMPTY, &[0]);
+const HAND_IS_EMPTY: LiftedAtom<'static> = LiftedAtom::new(HAND_EMPTY, &[0]);
 /// The stick is the second parameter of every operator that grasps.
-const STICK_IS_GRASPED: LiftedAtom<'static> = atom(GRASPED, &[0, 1]);
-const NOTHING_BELOW: LiftedAtom<'static> = atom(ABOVE_NO_BUTTON, &[]);
+const STICK_IS_GRASPED: LiftedAtom<'static> = LiftedAtom::new(GRASPED, &[0, 1]);
+const NOTHING_BELOW: LiftedAtom<'static> = LiftedAtom::new(ABOVE_NO_BUTTON, &[]);
 
 pub(super) static OPERATORS: [Operator<'static>; 8] = [
     Operator {
         name: "PickStickFromButton",
         parameters: &[ROBOT_TYPE, STICK_TYPE, BUTTON_TYPE],
-        preconditions: &[HAND_IS_EMPTY, atom(ROBOT_ABOVE_BUTTON, &[0, 2])],
+        preconditions: &[HAND_IS_EMPTY, LiftedAtom::new(ROBOT_ABOVE_BUTTON, &[0, 2])],
         add_effects: &[STICK_IS_GRASPED, NOTHING_BELOW],
-        delete_effects: &[HAND_IS_EMPTY, atom(ROBOT_ABOVE_BUTTON, &[0, 2])],
+        delete_effects: &[HAND_IS_EMPTY, LiftedAtom::new(ROBOT_ABOVE_BUTTON, &[0, 2])],
         controller: PICK_STICK,
         controller_arguments: &[0, 1],
     },
@@ -64,9 +57,12 @@ pub(super) static OPERATORS: [Operator<'static>; 8] = [
     Operator {
         name: "RobotPressButtonFromButton",
         parameters: &[ROBOT_TYPE, BUTTON_TYPE, BUTTON_TYPE, STICK_TYPE],
-        preconditions: &[HAND_IS_EMPTY, atom(ROBOT_ABOVE_BUTTON, &[0, 2])],
-        add_effects: &[atom(PRESSED, &[1]), atom(ROBOT_ABOVE_BUTTON, &[0, 1])],
-        delete_effects: &[atom(ROBOT_ABOVE_BUTTON, &[0, 2])],
+        preconditions: &[HAND_IS_EMPTY, LiftedAtom::new(ROBOT_ABOVE_BUTTON, &[0, 2])],
+        add_effects: &[
+            LiftedAtom::new(PRESSED, &[1]),
+            LiftedAtom::new(ROBOT_ABOVE_BUTTON, &[0, 1]),
+        ],
+        delete_effects: &[LiftedAtom::new(ROBOT_ABOVE_BUTTON, &[0, 2])],
         controller: ROBOT_PRESS_BUTTON,
         controller_arguments: &[0, 1, 3],
     },
@@ -74,7 +70,10 @@ pub(super) static OPERATORS: [Operator<'static>; 8] = [
         name: "RobotPressButtonFromNothing",
         parameters: &[ROBOT_TYPE, BUTTON_TYPE, STICK_TYPE],
         preconditions: &[HAND_IS_EMPTY, NOTHING_BELOW],
-        add_effects: &[atom(PRESSED, &[1]), atom(ROBOT_ABOVE_BUTTON, &[0, 1])],
+        add_effects: &[
+            LiftedAtom::new(PRESSED, &[1]),
+            LiftedAtom::new(ROBOT_ABOVE_BUTTON, &[0, 1]),
+        ],
         delete_effects: &[NOTHING_BELOW],
         controller: ROBOT_PRESS_BUTTON,
         controller_arguments: &[0, 1, 2],
@@ -83,9 +82,15 @@ pub(super) static OPERATORS: [Operator<'static>; 8] = [
     Operator {
         name: "StickPressButtonFromButton",
         parameters: &[ROBOT_TYPE, STICK_TYPE, BUTTON_TYPE, BUTTON_TYPE],
-        preconditions: &[STICK_IS_GRASPED, atom(STICK_ABOVE_BUTTON, &[1, 3])],
-        add_effects: &[atom(STICK_ABOVE_BUTTON, &[1, 2]), atom(PRESSED, &[2])],
-        delete_effects: &[atom(STICK_ABOVE_BUTTON, &[1, 3])],
+        preconditions: &[
+            STICK_IS_GRASPED,
+            LiftedAtom::new(STICK_ABOVE_BUTTON, &[1, 3]),
+        ],
+        add_effects: &[
+            LiftedAtom::new(STICK_ABOVE_BUTTON, &[1, 2]),
+            LiftedAtom::new(PRESSED, &[2]),
+        ],
+        delete_effects: &[LiftedAtom::new(STICK_ABOVE_BUTTON, &[1, 3])],
         controller: STICK_PRESS_BUTTON,
         controller_arguments: &[0, 1, 2],
     },
@@ -93,7 +98,10 @@ pub(super) static OPERATORS: [Operator<'static>; 8] = [
         name: "StickPressButtonFromNothing",
         parameters: &[ROBOT_TYPE, STICK_TYPE, BUTTON_TYPE],
         preconditions: &[STICK_IS_GRASPED, NOTHING_BELOW],
-        add_effects: &[atom(STICK_ABOVE_BUTTON, &[1, 2]), atom(PRESSED, &[2])],
+        add_effects: &[
+            LiftedAtom::new(STICK_ABOVE_BUTTON, &[1, 2]),
+            LiftedAtom::new(PRESSED, &[2]),
+        ],
         delete_effects: &[NOTHING_BELOW],
         controller: STICK_PRESS_BUTTON,
         controller_arguments: &[0, 1, 2],
