@@ -181,7 +181,7 @@ impl<'t> Domain<'t> {
     }
 
     /// The object to which a number of an instance belongs.
-    fn owner(&self, slot: u8) -> Option<&Object<'t>> {
+    pub(super) fn owner(&self, slot: u8) -> Option<&Object<'t>> {
         self.objects.iter().rfind(|o| o.first_slot <= slot)
     }
 }

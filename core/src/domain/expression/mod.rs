@@ -149,7 +149,7 @@ impl Domain<'_> {
         match node_at(nodes, id).ok()? {
             Node::Number(_) => None,
             Node::Constant(i) => self.constants().get(usize::from(i)).map(|c| c.dimension),
-            Node::Attribute(i) => self.slots().nth(usize::from(i)).map(|(_, a)| a.dimension),
+            Node::Attribute(i) => self.slot(i).map(|(_, a)| a.dimension),
             Node::Parameter(i) => self.parameters().get(usize::from(i)).map(|p| p.dimension),
             Node::Coordinate(Coordinate::Theta, _) | Node::Angle(..) | Node::VertexAngle(..) => {
                 Some(Dimension::Angle)
@@ -307,7 +307,7 @@ impl Domain<'_> {
                 out.write_str(self.constants().get(usize::from(i)).map_or("?", |c| c.name))
             }
             Node::Attribute(i) => {
-                let (object, attribute) = self.slots().nth(usize::from(i)).ok_or(fmt::Error)?;
+                let (object, attribute) = self.slot(i).ok_or(fmt::Error)?;
                 out.write_str(object.name)?;
                 out.write_char('.')?;
                 out.write_str(attribute.name)
