@@ -10,6 +10,15 @@ const WORDS: usize = 81;
 #[derive(Clone)]
 pub(super) struct Big([u32; WORDS]);
 
+impl From<u64> for Big {
+    fn from(value: u64) -> Big {
+        let mut big = Big::ZERO;
+        let [low, high, ..] = &mut big.0;
+        (*low, *high) = (value as u32, (value >> u32::BITS) as u32);
+        big
+    }
+}
+
 impl Big {
     pub(super) const ZERO: Big = Big([0; WORDS]);
 
@@ -24,7 +33,7 @@ impl Big {
     }
 
     /// `self * base^exponent`, by so many factors at once that they fit into a word.
-    pub(super) fn multiply_power(&mut self, base: u32, mut exponent: u64) {
+    pub(super) fn multiply_power(&mut self, base: u32, mut exponent: u32) {
         while exponent > 0 {
             let mut factor = 1u32;
             while exponent > 0
@@ -38,43 +47,51 @@ impl Big {
     }
 
     /// How many bits it has without leading zeros.
-    fn bits(&self) -> i64 {
-        let mut words = self.0.iter().enumerate().rev();
-        let highest = words.find(|(_, word)| **word != 0);
-        highest.map_or(0, |(index, word)| {
-            32 * (index as i64 + 1) - i64::from(word.leading_zeros())
-        })
+    fn bits(&self) -> i32 {
+        let zeros = self.0.iter().rev().take_while(|word| **word == 0).count();
+        let highest = self.0.iter().rev().nth(zeros);
+        let words = (WORDS - zeros) as i32;
+        highest.map_or(0, |word| 32 * words - word.leading_zeros() as i32)
     }
 
-    fn compare(&self, other: &Big) -> Ordering {
+    pub(super) fn compare(&self, other: &Big) -> Ordering {
         self.0.iter().rev().cmp(other.0.iter().rev())
     }
 
+    pub(super) fn add(&mut self, other: &Big) {
+        self.combine(other, u32::overflowing_add);
+    }
+
     /// Takes away a number that is not larger.
-    fn subtract(&mut self, other: &Big) {
-        let mut borrow = false;
+    pub(super) fn subtract(&mut self, other: &Big) {
+        self.combine(other, u32::overflowing_sub);
+    }
+
+    /// Adds or subtracts word by word, and what is carried or borrowed from the next.
+    fn combine(&mut self, other: &Big, operation: fn(u32, u32) -> (u32, bool)) {
+        let mut carry = false;
         for (word, other) in self.0.iter_mut().zip(&other.0) {
-            let (less, first) = word.overflowing_sub(*other);
-            let (less, second) = less.overflowing_sub(u32::from(borrow));
-            (*word, borrow) = (less, first | second);
+            let (first, once) = operation(*word, *other);
+            let (second, twice) = operation(first, u32::from(carry));
+            (*word, carry) = (second, once | twice);
         }
     }
 
     /// The quotient of two numbers that are not zero, as `whole * 2^exponent` with a
     /// whole number of 63 or 64 bits, and whether that is exact or a little too small.
-    pub(super) fn divide(mut self, mut divisor: Big) -> (u64, i64, bool) {
+    pub(super) fn divide(&mut self, divisor: &mut Big) -> (u64, i32, bool) {
         let difference = self.bits() - divisor.bits();
         let shorter = if difference < 0 {
-            &mut self
+            &mut *self
         } else {
-            &mut divisor
+            &mut *divisor
         };
         shorter.multiply_power(2, difference.unsigned_abs());
         let mut quotient = 0;
         for _ in 0..u64::BITS {
             quotient <<= 1;
-            if self.compare(&divisor) != Ordering::Less {
-                self.subtract(&divisor);
+            if self.compare(divisor) != Ordering::Less {
+                self.subtract(divisor);
                 quotient |= 1;
             }
             self.multiply_add(2, 0);

@@ -3,6 +3,7 @@
 mod big;
 mod lexer;
 mod number;
+mod shortest;
 
 pub use lexer::{Lexer, Token};
 pub use number::{read_number, write_number};
