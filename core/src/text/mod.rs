@@ -5,7 +5,7 @@ mod lexer;
 mod number;
 mod shortest;
 
-pub use lexer::{Lexer, Token};
+pub use lexer::{Failed, Lexer, Place, Token};
 pub use number::{read_number, write_number};
 
 use core::fmt;

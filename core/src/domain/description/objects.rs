@@ -1,71 +1,79 @@
 //! Statements that declare objects, single ones and groups.
 
-use super::{DomainParser, small};
+use super::DomainParser;
 use crate::domain::schema::{MAX_OBJECTS, PoseSlots};
 use crate::domain::{Base, Group, Member, Object};
-use crate::error::Error;
-use crate::text::Token;
+use crate::text::{Failed, Token};
 use heapless::Vec;
 
-const FULL: Error = Error::CapacityExceeded("objects of a domain");
+const FULL: &str = "objects of a domain";
 
 /// A name that is declared, and how many members a group of that name has.
 type Named<'t> = (&'t str, Option<u8>);
 
 impl<'t> DomainParser<'_, 't> {
-    pub(super) fn object_statement(&mut self) -> Result<(), Error> {
+    #[inline(never)]
+    pub(super) fn object_statement(&mut self) -> Result<(), Failed> {
         let mut all: Vec<Named<'t>, MAX_OBJECTS> = Vec::new();
         loop {
             let name = self.new_name("expected the name of the object", false)?;
             if all.iter().any(|(other, _)| *other == name) {
-                return Err(self.lexer.error("this object was just declared"));
+                return Err(self.lexer.fail("this object was just declared"));
             }
-            all.push((name, self.member_count()?)).map_err(|_| FULL)?;
+            all.push((name, self.member_count()?))
+                .map_err(|_| self.lexer.full(FULL))?;
             if !self.lexer.accept(",") {
                 break;
             }
         }
-        let at = self.lexer.clone();
+        let at = self.lexer.place();
         let type_index = if self.lexer.accept(":") {
-            let at = self.lexer.clone();
+            let at = self.lexer.place();
             let kind = self.lexer.expect_name("expected the name of a type")?;
             let found = self.domain.types.iter().position(|t| t.name == kind);
-            small(found.ok_or_else(|| at.error("unknown type"))?)?
+            let found = found.ok_or_else(|| self.lexer.fail_at(at, "unknown type"))?;
+            self.small(found)?
         } else {
             match all.as_slice() {
                 [(name, _)] => self.attributes(name)?,
-                _ => return Err(at.error("expected `:` and the type of these objects")),
+                _ => {
+                    return Err(self
+                        .lexer
+                        .fail_at(at, "expected `:` and the type of these objects"));
+                }
             }
         };
         let absent = self.domain.attributes_of(type_index).is_empty();
         if absent && all.iter().any(|(_, count)| count.is_some()) {
-            return Err(at.error("members need attributes, which tell those that are absent"));
+            return Err(self.lexer.fail_at(
+                at,
+                "members need attributes, which tell those that are absent",
+            ));
         }
         all.iter()
             .try_for_each(|named| self.objects(*named, type_index))
     }
 
     /// `[ number ]` behind the name of a group.
-    fn member_count(&mut self) -> Result<Option<u8>, Error> {
+    fn member_count(&mut self) -> Result<Option<u8>, Failed> {
         const WHAT: &str = "expected how many members the group has, a whole number from 1";
         if !self.lexer.accept("[") {
             return Ok(None);
         }
-        let at = self.lexer.clone();
-        let count = match self.lexer.advance() {
-            Token::Number(number) if number >= 1.0 => number as u64,
-            _ => return Err(at.error(WHAT)),
+        let count = match self.lexer.token() {
+            Token::Number(number) if number >= 1.0 && number as u64 as f64 == number => number,
+            _ => return Err(self.lexer.fail(WHAT)),
         };
-        if at.token() != Token::Number(count as f64) {
-            return Err(at.error(WHAT));
-        }
+        self.lexer.advance();
         self.lexer.expect("]", "expected `]`")?;
-        u8::try_from(count).map(Some).map_err(|_| FULL)
+        u8::try_from(count as u64)
+            .map(Some)
+            .map_err(|_| self.lexer.full(FULL))
     }
 
     /// Declares an object, or all members of a group, and their poses as points.
-    fn objects(&mut self, (name, count): Named<'t>, type_index: u8) -> Result<(), Error> {
-        let first_object = small(self.domain.objects.len())?;
+    fn objects(&mut self, (name, count): Named<'t>, type_index: u8) -> Result<(), Failed> {
+        let first_object = self.small(self.domain.objects.len())?;
         let group = match count {
             None => None,
             Some(count) => {
@@ -73,9 +81,9 @@ impl<'t> DomainParser<'_, 't> {
                     first_object,
                     count,
                 };
-                let index = small(self.domain.groups.len())?;
+                let index = self.small(self.domain.groups.len())?;
                 let pushed = self.domain.groups.push(group);
-                pushed.map_err(|_| Error::CapacityExceeded("groups of a domain"))?;
+                pushed.map_err(|_| self.lexer.full("groups of a domain"))?;
                 Some(index)
             }
         };
@@ -94,8 +102,9 @@ impl<'t> DomainParser<'_, 't> {
         name: &'t str,
         type_index: u8,
         member: Option<Member>,
-    ) -> Result<(), Error> {
+    ) -> Result<(), Failed> {
         let attributes = self.domain.attributes_of(type_index);
+        let slots = usize::from(self.domain.slots) + attributes.len();
         let object = Object {
             name,
             type_index,
@@ -103,7 +112,10 @@ impl<'t> DomainParser<'_, 't> {
             first_slot: self.domain.slots,
             pose: PoseSlots::find(attributes, self.domain.slots),
         };
-        self.domain.slots = small(usize::from(self.domain.slots) + attributes.len())?;
-        self.domain.objects.push(object).map_err(|_| FULL)
+        self.domain.slots = self.small(slots)?;
+        self.domain
+            .objects
+            .push(object)
+            .map_err(|_| self.lexer.full(FULL))
     }
 }

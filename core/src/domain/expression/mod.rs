@@ -9,7 +9,7 @@ use super::dimension::Dimension;
 use super::group::{Extreme, Relation};
 use super::schema::Domain;
 use crate::error::Error;
-use crate::text::{Lexer, write_number};
+use crate::text::{Failed, Lexer, write_number};
 use core::fmt;
 use heapless::VecView;
 use parser::ExpressionParser;
@@ -224,6 +224,16 @@ impl Domain<'_> {
         lexer: &mut Lexer<'_>,
         nodes: &mut VecView<Node>,
     ) -> Result<NodeId, Error> {
+        let read = self.read_expression(lexer, nodes);
+        lexer.outcome(read)
+    }
+
+    /// As [`Domain::parse_expression`]; the lexer notes errors.
+    pub(crate) fn read_expression(
+        &self,
+        lexer: &mut Lexer<'_>,
+        nodes: &mut VecView<Node>,
+    ) -> Result<NodeId, Failed> {
         self.parser(nodes, None).expression(lexer)
     }
 
