@@ -257,35 +257,28 @@ impl Formula {
         bits.filter(|_| self.steps.iter().all(joins))
     }
 
-    /// What is known of it, given a bit for each constraint that may hold and one
-    /// for each that may fail.
-    pub fn truth_of_masks(&self, hold: u32, fail: u32) -> Truth {
-        let bit = |mask: u32, index: u8| mask.checked_shr(u32::from(index)).unwrap_or(0) & 1 == 1;
-        self.evaluate(|index| Truth {
-            may_hold: bit(hold, index),
-            may_fail: bit(fail, index),
-        })
-    }
-
     /// What is known of it, given what is known of each constraint.
     pub fn truth(&self, mut constraint: impl FnMut(&Constraint) -> Truth) -> Truth {
-        self.evaluate(|index| {
-            let known = self.constraints.get(usize::from(index));
-            known.map_or(Truth::from(false), &mut constraint)
-        })
+        let (mut hold, mut fail) = (0, 0);
+        for (index, own) in self.constraints.iter().enumerate() {
+            let known = constraint(own);
+            hold |= u32::from(known.may_hold) << index;
+            fail |= u32::from(known.may_fail) << index;
+        }
+        self.truth_of_masks(hold, fail)
     }
 
-    #[inline]
-    fn evaluate(&self, mut constraint: impl FnMut(u8) -> Truth) -> Truth {
+    /// What is known of it, given a bit for each constraint that may hold and one
+    /// for each that may fail.
+    pub fn truth_of_masks(&self, may_hold: u32, may_fail: u32) -> Truth {
+        let bit = |mask: u32, index: u8| u64::from(mask.checked_shr(index.into()).unwrap_or(0) & 1);
         // One bit per stack entry: a formula of 96 steps is at most 48 deep.
         let (mut hold, mut fail) = (0u64, 0u64);
-        let bit = |flag: bool| u64::from(flag);
         for step in &self.steps {
             match step {
                 Step::Constraint(index) => {
-                    let truth = constraint(*index);
-                    hold = hold << 1 | bit(truth.may_hold);
-                    fail = fail << 1 | bit(truth.may_fail);
+                    hold = hold << 1 | bit(may_hold, *index);
+                    fail = fail << 1 | bit(may_fail, *index);
                 }
                 Step::True => {
                     hold = hold << 1 | 1;

@@ -224,8 +224,8 @@ impl Language {
         match self {
             _ if self.begins_name(first) => Token::Name(word),
             _ if first.is_ascii_digit() => read_number(word).map_or(Token::Unknown, Token::Number),
-            Language::Own if b"()[]{},:=+-*<>".contains(&first) => Token::Symbol(word),
-            Language::Pddl if b"()=-".contains(&first) => Token::Symbol(word),
+            Language::Own if is_one_of(first, b"()[]{},:=+-*<>") => Token::Symbol(word),
+            Language::Pddl if is_one_of(first, b"()=-") => Token::Symbol(word),
             Language::Pddl if first == b':' && second.is_some() => Token::Symbol(word),
             Language::Pddl if first == b'?' && second.is_some() => Token::Variable(word),
             _ => Token::Unknown,
@@ -275,6 +275,11 @@ fn number_length(text: &[u8]) -> usize {
         previous = byte;
         byte.is_ascii_alphanumeric() || byte == b'.' || byte == b'_' || signed_exponent
     })
+}
+
+/// As `contains`, which is made for long texts.
+fn is_one_of(byte: u8, all: &[u8]) -> bool {
+    all.iter().any(|one| *one == byte)
 }
 
 /// How many bytes at the start are such.

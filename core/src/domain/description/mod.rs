@@ -8,10 +8,12 @@ use super::expression::{Node, NodeId, copy, intern};
 use super::schema::{Attribute, Constant, Domain, Parameter, Type};
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Token, split_at_dot};
+use crc::{CRC_32_ISO_HDLC, Crc, NoTable};
 use heapless::Vec;
 
-/// Checksum that tells domain texts and saved bytes apart.
-pub(crate) const CHECKSUM: crc::Crc<u32> = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
+/// Checksum that tells domain texts and saved bytes apart; without a table, which would
+/// take a kilobyte of flash.
+pub(crate) const CHECKSUM: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC);
 
 const KEYWORDS: [&str; 22] = [
     "type",
@@ -142,7 +144,7 @@ impl<'t> DomainParser<'_, 't> {
     fn type_statement(&mut self) -> Result<(), Failed> {
         let at = self.lexer.place();
         let name = self.lexer.expect_name("expected the name of the type")?;
-        if name.contains('.') || KEYWORDS.contains(&name) {
+        if split_at_dot(name).is_some() || KEYWORDS.contains(&name) {
             return Err(self.lexer.fail_at(
                 at,
                 "a type has a plain name that is no word of the language",
@@ -164,7 +166,7 @@ impl<'t> DomainParser<'_, 't> {
                 .lexer
                 .expect_name("expected the name of an attribute or `}`")?;
             let own = self.domain.attributes.iter().skip(first);
-            if attribute.contains('.') || own.clone().any(|a| a.name == attribute) {
+            if split_at_dot(attribute).is_some() || own.clone().any(|a| a.name == attribute) {
                 return Err(self
                     .lexer
                     .fail_at(at, "attributes have plain names, each once"));

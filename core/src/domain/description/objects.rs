@@ -61,12 +61,14 @@ impl<'t> DomainParser<'_, 't> {
             return Ok(None);
         }
         let count = match self.lexer.token() {
-            Token::Number(number) if number >= 1.0 && number as u64 as f64 == number => number,
+            Token::Number(number) if number >= 1.0 && f64::from(number as u32) == number => {
+                number as u32
+            }
             _ => return Err(self.lexer.fail(WHAT)),
         };
         self.lexer.advance();
         self.lexer.expect("]", "expected `]`")?;
-        u8::try_from(count as u64)
+        u8::try_from(count)
             .map(Some)
             .map_err(|_| self.lexer.full(FULL))
     }

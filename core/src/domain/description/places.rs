@@ -301,7 +301,8 @@ impl<'t> DomainParser<'_, 't> {
     }
 
     fn of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, Failed> {
-        let node = node_at(&self.domain.nodes, id).map_err(|missing| self.lexer.note(missing))?;
+        let node =
+            node_at(&self.domain.nodes, id).map_err(|missing| self.lexer.note(missing.into()))?;
         let term = match node {
             Node::Sum(a, b) => Node::Sum(self.of_member(a, index)?, self.of_member(b, index)?),
             Node::Difference(a, b) => {

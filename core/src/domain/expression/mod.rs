@@ -134,13 +134,30 @@ pub(crate) fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<
     intern(to, node)
 }
 
-pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, Error> {
-    nodes
-        .get(usize::from(id.0))
-        .copied()
-        .ok_or(Error::InvalidArgument(
-            "an expression refers to a missing term",
-        ))
+/// An expression refers to a term that is not in its list.
+#[derive(Debug)]
+pub(crate) struct Missing;
+
+impl From<Missing> for Error {
+    fn from(_: Missing) -> Error {
+        Error::InvalidArgument("an expression refers to a missing term")
+    }
+}
+
+pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, Missing> {
+    nodes.get(usize::from(id.0)).copied().ok_or(Missing)
+}
+
+impl Node {
+    /// The points that a term is about, apart from those that an extreme is taken of.
+    pub(super) fn points(self) -> [Option<u8>; 3] {
+        match self {
+            Node::Coordinate(_, a) => [Some(a), None, None],
+            Node::Distance(_, a, b) | Node::Angle(a, b) => [Some(a), Some(b), None],
+            Node::VertexAngle(a, b, c) => [Some(a), Some(b), Some(c)],
+            _ => [None; 3],
+        }
+    }
 }
 
 impl Domain<'_> {
@@ -168,23 +185,22 @@ impl Domain<'_> {
 
     /// What an expression depends on.
     pub fn dependence(&self, nodes: &[Node], id: NodeId) -> Dependence {
-        let point = |i: u8| match self.points().get(usize::from(i)) {
-            Some(p) if p.sampled => Dependence::Sample,
-            _ => Dependence::Instance,
-        };
         match node_at(nodes, id) {
             Ok(Node::Attribute(_)) => Dependence::Instance,
             Ok(Node::Parameter(_)) => Dependence::Sample,
-            Ok(Node::Coordinate(_, p)) => point(p),
-            Ok(Node::Distance(_, a, b) | Node::Angle(a, b)) => point(a).max(point(b)),
-            Ok(Node::VertexAngle(a, b, c)) => point(a).max(point(b)).max(point(c)),
             Ok(Node::Extreme(_, relation)) => self.dependence(&[relation.term()], NodeId(0)),
             Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
                 self.dependence(nodes, a).max(self.dependence(nodes, b))
             }
-            Ok(Node::Number(_) | Node::Constant(_) | Node::Area(_)) | Err(_) => {
-                Dependence::Constant
+            Ok(leaf) => {
+                let points = leaf.points().into_iter().flatten();
+                let dependences = points.map(|i| match self.points().get(usize::from(i)) {
+                    Some(point) if point.sampled => Dependence::Sample,
+                    _ => Dependence::Instance,
+                });
+                dependences.max().unwrap_or(Dependence::Constant)
             }
+            Err(_) => Dependence::Constant,
         }
     }
 
