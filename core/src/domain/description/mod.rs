@@ -310,12 +310,12 @@ impl<'t> DomainParser<'_, 't> {
                 "offsets, sizes and values cannot refer to points, areas, min or max",
             ));
         }
-        copy(&nodes, id, &mut self.domain.nodes).map_err(|full| self.lexer.note(full))
+        copy(&nodes, id, &mut self.domain.nodes).map_err(|full| self.lexer.note(full.into()))
     }
 
     /// Adds a term to those of the domain.
     fn intern(&mut self, node: Node) -> Result<NodeId, Failed> {
-        intern(&mut self.domain.nodes, node).map_err(|full| self.lexer.note(full))
+        intern(&mut self.domain.nodes, node).map_err(|full| self.lexer.note(full.into()))
     }
 
     /// The value of an expression over constants, and what it measures.

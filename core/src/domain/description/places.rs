@@ -1,8 +1,8 @@
 //! Statements that place things: shapes and points.
 
 use super::DomainParser;
-use crate::domain::expression::node_at;
-use crate::domain::{Base, Dependence, Dimension, Member, Node, NodeId, Point, Shape};
+use crate::domain::expression::{TermError, intern, node_at};
+use crate::domain::{Base, Dependence, Dimension, Domain, Member, Node, NodeId, Point, Shape};
 use crate::text::{Failed, Place, split_at_dot};
 
 /// Where a shape starts, has its middle and ends along an axis of its object.
@@ -61,14 +61,17 @@ impl<'t> DomainParser<'_, 't> {
     /// The points in the middle of the sides of a shape, and its centre where
     /// that is not the object's position.
     fn key_points(&mut self, name: &'t str, object: u8, [x, y]: [Extent; 2]) -> Result<(), Failed> {
-        let base = Base::Object(object);
-        let mut add = |part, x, y| self.point(name, part, base, [None; 3], [x, y, None]);
-        add("left", x.low, y.middle)?;
-        add("right", x.high, y.middle)?;
-        add("bottom", x.middle, y.low)?;
-        add("top", x.middle, y.high)?;
-        if x.middle.is_some() {
-            add("centre", x.middle, y.middle)?;
+        let sides = [
+            ("left", x.low, y.middle),
+            ("right", x.high, y.middle),
+            ("bottom", x.middle, y.low),
+            ("top", x.middle, y.high),
+            ("centre", x.middle, y.middle),
+        ];
+        let count = if x.middle.is_some() { 5 } else { 4 };
+        for (part, x, y) in sides.into_iter().take(count) {
+            let offset = [x, y, None];
+            self.point(name, part, Base::Object(object), [None; 3], offset)?;
         }
         Ok(())
     }
@@ -244,6 +247,7 @@ impl<'t> DomainParser<'_, 't> {
         }
         let first = self.member(base);
         let count = first.map_or(1, |m| self.domain.members(m.group).len());
+        let sampled = self.is_sampled(base, turn, offset);
         for index in (0u8..).take(count) {
             let point = Point {
                 owner,
@@ -253,15 +257,13 @@ impl<'t> DomainParser<'_, 't> {
                     Base::Object(object) => Base::Object(object.saturating_add(index)),
                     Base::Point(point) => Base::Point(point.saturating_add(index)),
                 },
-                turn: self.components_of_member(turn, index)?,
-                offset: self.components_of_member(offset, index)?,
-                sampled: self.is_sampled(base, turn, offset),
+                turn: self.of_member(turn, index)?,
+                offset: self.of_member(offset, index)?,
+                sampled,
                 member: first.map(|m| Member { index, ..m }),
             };
-            self.domain
-                .points
-                .push(point)
-                .map_err(|_| self.lexer.full("points of a domain"))?;
+            let pushed = self.domain.points.push(point);
+            pushed.map_err(|_| self.lexer.full("points of a domain"))?;
         }
         Ok(())
     }
@@ -291,19 +293,23 @@ impl<'t> DomainParser<'_, 't> {
     }
 
     /// The components of a point of the first member, for another member.
-    fn components_of_member(
+    fn of_member(
         &mut self,
-        [x, y, z]: [Option<NodeId>; 3],
+        mut components: [Option<NodeId>; 3],
         index: u8,
     ) -> Result<[Option<NodeId>; 3], Failed> {
-        let mut moved = |id: Option<NodeId>| id.map(|id| self.of_member(id, index)).transpose();
-        Ok([moved(x)?, moved(y)?, moved(z)?])
+        for id in components.iter_mut().flatten() {
+            let moved = self.domain.of_member(*id, index);
+            *id = moved.map_err(|full| self.lexer.note(full.into()))?;
+        }
+        Ok(components)
     }
+}
 
-    fn of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, Failed> {
-        let node =
-            node_at(&self.domain.nodes, id).map_err(|missing| self.lexer.note(missing.into()))?;
-        let term = match node {
+impl Domain<'_> {
+    /// A term about the first member of a group, for another member.
+    fn of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, TermError> {
+        let term = match node_at(&self.nodes, id)? {
             Node::Sum(a, b) => Node::Sum(self.of_member(a, index)?, self.of_member(b, index)?),
             Node::Difference(a, b) => {
                 Node::Difference(self.of_member(a, index)?, self.of_member(b, index)?)
@@ -311,8 +317,8 @@ impl<'t> DomainParser<'_, 't> {
             Node::Product(a, b) => {
                 Node::Product(self.of_member(a, index)?, self.of_member(b, index)?)
             }
-            leaf => self.domain.for_member(leaf, index),
+            leaf => self.for_member(leaf, index),
         };
-        self.intern(term)
+        intern(&mut self.nodes, term)
     }
 }

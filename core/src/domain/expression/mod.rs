@@ -92,20 +92,39 @@ pub enum Dependence {
 /// Deepest nesting of an expression, so that walking one has bounded stack.
 pub const MAX_DEPTH: u8 = 12;
 
+/// Why a list of terms is of no use; small, because expressions are walked recursively.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TermError {
+    /// A list is full.
+    Full,
+    /// A term is not in its list.
+    Missing,
+}
+
+impl From<TermError> for Error {
+    fn from(error: TermError) -> Error {
+        match error {
+            TermError::Full => Error::CapacityExceeded("terms of expressions"),
+            TermError::Missing => Error::InvalidArgument("an expression refers to a missing term"),
+        }
+    }
+}
+
 /// Appends a node to a list, or finds it there.
 ///
 /// # Errors
-/// [`Error::CapacityExceeded`] if the list is full.
-pub(crate) fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, Error> {
-    const FULL: Error = Error::CapacityExceeded("terms of expressions");
+/// [`TermError::Full`].
+pub(crate) fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, TermError> {
     let place = match nodes.iter().position(|n| *n == node) {
         Some(place) => place,
         None => {
-            nodes.push(node).map_err(|_| FULL)?;
+            nodes.push(node).map_err(|_| TermError::Full)?;
             nodes.len() - 1
         }
     };
-    u16::try_from(place).map(NodeId).map_err(|_| FULL)
+    u16::try_from(place)
+        .map(NodeId)
+        .map_err(|_| TermError::Full)
 }
 
 /// Whether two expressions, each in a list of its own, are the same.
@@ -123,8 +142,8 @@ pub(crate) fn is_same(nodes: &[Node], id: NodeId, others: &[Node], other: NodeId
 /// Copies an expression from one list into another.
 ///
 /// # Errors
-/// [`Error::CapacityExceeded`] if the target is full.
-pub(crate) fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<NodeId, Error> {
+/// [`TermError`].
+pub(crate) fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<NodeId, TermError> {
     let node = match node_at(from, id)? {
         Node::Sum(a, b) => Node::Sum(copy(from, a, to)?, copy(from, b, to)?),
         Node::Difference(a, b) => Node::Difference(copy(from, a, to)?, copy(from, b, to)?),
@@ -134,18 +153,11 @@ pub(crate) fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<
     intern(to, node)
 }
 
-/// An expression refers to a term that is not in its list.
-#[derive(Debug)]
-pub(crate) struct Missing;
-
-impl From<Missing> for Error {
-    fn from(_: Missing) -> Error {
-        Error::InvalidArgument("an expression refers to a missing term")
-    }
-}
-
-pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, Missing> {
-    nodes.get(usize::from(id.0)).copied().ok_or(Missing)
+pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, TermError> {
+    nodes
+        .get(usize::from(id.0))
+        .copied()
+        .ok_or(TermError::Missing)
 }
 
 impl Node {

@@ -211,7 +211,7 @@ impl ExpressionParser<'_, '_, '_> {
     }
 
     fn intern(&mut self, lexer: &mut Lexer<'_>, node: Node) -> Result<NodeId, Failed> {
-        intern(self.nodes, node).map_err(|full| lexer.note(full))
+        intern(self.nodes, node).map_err(|full| lexer.note(full.into()))
     }
 
     fn dimension(&self, id: NodeId) -> Option<Dimension> {
