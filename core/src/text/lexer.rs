@@ -92,12 +92,11 @@ impl<'t> Lexer<'t> {
     /// Moves on and returns the token left behind.
     pub fn advance(&mut self) -> Token<'t> {
         let rest = self.text.as_bytes().get(self.end..).unwrap_or_default();
-        let blanks = self.language.blanks(rest);
-        let word = rest.get(blanks..).unwrap_or_default();
-        self.start = self.end + blanks;
-        self.end = self.start + self.language.token_length(word);
-        let word = self.text.get(self.start..self.end).unwrap_or_default();
-        core::mem::replace(&mut self.token, self.language.token(word))
+        self.start = self.end + self.language.blanks(rest);
+        let word = self.text.get(self.start..).unwrap_or_default();
+        let (token, length) = self.language.token(word);
+        self.end = self.start + length;
+        core::mem::replace(&mut self.token, token)
     }
 
     /// Moves on if it stands on this symbol or name.
@@ -215,40 +214,32 @@ impl Language {
         })
     }
 
-    /// The token that this word is; of an empty word the end of the text.
-    fn token(self, word: &str) -> Token<'_> {
-        let mut bytes = word.bytes();
-        let (Some(first), second) = (bytes.next(), bytes.next()) else {
-            return Token::End;
-        };
-        match self {
-            _ if self.begins_name(first) => Token::Name(word),
-            _ if first.is_ascii_digit() => read_number(word).map_or(Token::Unknown, Token::Number),
-            Language::Own if is_one_of(first, b"()[]{},:=+-*<>") => Token::Symbol(word),
-            Language::Pddl if is_one_of(first, b"()=-") => Token::Symbol(word),
-            Language::Pddl if first == b':' && second.is_some() => Token::Symbol(word),
-            Language::Pddl if first == b'?' && second.is_some() => Token::Variable(word),
-            _ => Token::Unknown,
-        }
-    }
-
-    /// Length in bytes of the token at the start of `text`.
-    fn token_length(self, text: &[u8]) -> usize {
-        let (first, behind) = match text {
-            [] => return 0,
+    /// The token at the start of a text, and its length in bytes.
+    fn token<'t>(self, text: &'t str) -> (Token<'t>, usize) {
+        let (first, behind) = match text.as_bytes() {
+            [] => return (Token::End, 0),
             [first, behind @ ..] => (*first, behind),
         };
         let second = behind.first().copied().unwrap_or_default();
-        match (self, first) {
-            _ if self.begins_name(first) => self.name_length(text),
-            _ if first.is_ascii_digit() => number_length(text),
-            (Language::Own, b'<' | b'>') if second == b'=' => 2,
-            (Language::Pddl, b':' | b'?') if self.begins_name(second) => {
-                1 + self.name_length(behind)
+        let (make, length): (fn(&'t str) -> Token<'t>, usize) = match (self, first) {
+            _ if self.begins_name(first) => (Token::Name, self.name_length(text.as_bytes())),
+            (_, b'0'..=b'9') => (number, number_length(text.as_bytes())),
+            (Language::Own, b'<' | b'>') if second == b'=' => (Token::Symbol, 2),
+            (Language::Own, _) if is_one_of(first, b"()[]{},:=+-*<>") => (Token::Symbol, 1),
+            (Language::Pddl, _) if is_one_of(first, b"()=-") => (Token::Symbol, 1),
+            (Language::Pddl, b':') if self.begins_name(second) => {
+                (Token::Symbol, 1 + self.name_length(behind))
+            }
+            (Language::Pddl, b'?') if self.begins_name(second) => {
+                (Token::Variable, 1 + self.name_length(behind))
             }
             // Whole characters.
-            _ => 1 + run(behind, |byte| !first.is_ascii() && !byte.is_ascii()),
-        }
+            _ => {
+                let others = run(behind, |byte| !first.is_ascii() && !byte.is_ascii());
+                (|_| Token::Unknown, 1 + others)
+            }
+        };
+        (make(text.get(..length).unwrap_or_default()), length)
     }
 
     fn begins_name(self, byte: u8) -> bool {
@@ -264,6 +255,10 @@ impl Language {
             byte.is_ascii_alphanumeric() || byte == b'_' || byte == joint
         })
     }
+}
+
+fn number(word: &str) -> Token<'_> {
+    read_number(word).map_or(Token::Unknown, Token::Number)
 }
 
 /// Length of digits, fraction and exponent; letters that follow belong to it, so

@@ -309,15 +309,10 @@ impl<'t> DomainParser<'_, 't> {
 impl Domain<'_> {
     /// A term about the first member of a group, for another member.
     fn of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, TermError> {
-        let term = match node_at(&self.nodes, id)? {
-            Node::Sum(a, b) => Node::Sum(self.of_member(a, index)?, self.of_member(b, index)?),
-            Node::Difference(a, b) => {
-                Node::Difference(self.of_member(a, index)?, self.of_member(b, index)?)
-            }
-            Node::Product(a, b) => {
-                Node::Product(self.of_member(a, index)?, self.of_member(b, index)?)
-            }
-            leaf => self.for_member(leaf, index),
+        let node = node_at(&self.nodes, id)?;
+        let term = match node.operands() {
+            Some((a, b, make)) => make(self.of_member(a, index)?, self.of_member(b, index)?),
+            None => self.for_member(node, index),
         };
         intern(&mut self.nodes, term)
     }

@@ -31,6 +31,16 @@ pub enum Coordinate {
     Theta,
 }
 
+impl Coordinate {
+    /// All of them, each with its name behind that of the point.
+    const NAMED: [(&str, Coordinate); 4] = [
+        ("x", Coordinate::X),
+        ("y", Coordinate::Y),
+        ("z", Coordinate::Z),
+        ("theta", Coordinate::Theta),
+    ];
+}
+
 /// How far apart two points are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
@@ -42,6 +52,29 @@ pub enum Metric {
     Z,
     /// The length of the straight line between them, in 2D or 3D.
     Straight,
+}
+
+impl Metric {
+    /// All of them, each with the name of its function.
+    const NAMED: [(&str, Metric); 4] = [
+        ("dist_x", Metric::X),
+        ("dist_y", Metric::Y),
+        ("dist_z", Metric::Z),
+        ("dist", Metric::Straight),
+    ];
+}
+
+/// The value with this name.
+fn named<T: Copy>(all: &[(&str, T)], name: &str) -> Option<T> {
+    let mut all = all.iter();
+    all.find(|(own, _)| *own == name).map(|(_, value)| *value)
+}
+
+/// The name of a value.
+fn name_of<T: PartialEq>(all: &[(&'static str, T)], value: T) -> &'static str {
+    let mut all = all.iter();
+    all.find(|(_, own)| *own == value)
+        .map_or("?", |(name, _)| name)
 }
 
 /// One term. Indices of constants, attributes, points and shapes refer to the
@@ -144,11 +177,10 @@ pub(crate) fn is_same(nodes: &[Node], id: NodeId, others: &[Node], other: NodeId
 /// # Errors
 /// [`TermError`].
 pub(crate) fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<NodeId, TermError> {
-    let node = match node_at(from, id)? {
-        Node::Sum(a, b) => Node::Sum(copy(from, a, to)?, copy(from, b, to)?),
-        Node::Difference(a, b) => Node::Difference(copy(from, a, to)?, copy(from, b, to)?),
-        Node::Product(a, b) => Node::Product(copy(from, a, to)?, copy(from, b, to)?),
-        leaf => leaf,
+    let node = node_at(from, id)?;
+    let node = match node.operands() {
+        Some((a, b, make)) => make(copy(from, a, to)?, copy(from, b, to)?),
+        None => node,
     };
     intern(to, node)
 }
@@ -161,6 +193,16 @@ pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, TermError> {
 }
 
 impl Node {
+    /// The operands of a sum, difference or product, and what makes one of others.
+    pub(super) fn operands(self) -> Option<(NodeId, NodeId, fn(NodeId, NodeId) -> Node)> {
+        match self {
+            Node::Sum(a, b) => Some((a, b, Node::Sum)),
+            Node::Difference(a, b) => Some((a, b, Node::Difference)),
+            Node::Product(a, b) => Some((a, b, Node::Product)),
+            _ => None,
+        }
+    }
+
     /// The points that a term is about, apart from those that an extreme is taken of.
     pub(super) fn points(self) -> [Option<u8>; 3] {
         match self {
@@ -357,21 +399,11 @@ impl Domain<'_> {
             ),
             Node::Coordinate(coordinate, p) => {
                 self.write_point(out, p)?;
-                out.write_str(match coordinate {
-                    Coordinate::X => ".x",
-                    Coordinate::Y => ".y",
-                    Coordinate::Z => ".z",
-                    Coordinate::Theta => ".theta",
-                })
+                out.write_char('.')?;
+                out.write_str(name_of(&Coordinate::NAMED, coordinate))
             }
             Node::Distance(metric, a, b) => {
-                let name = match metric {
-                    Metric::X => "dist_x",
-                    Metric::Y => "dist_y",
-                    Metric::Z => "dist_z",
-                    Metric::Straight => "dist",
-                };
-                self.write_points(out, name, &[a, b])
+                self.write_points(out, name_of(&Metric::NAMED, metric), &[a, b])
             }
             Node::Angle(a, b) => self.write_points(out, "angle", &[a, b]),
             Node::VertexAngle(a, b, c) => self.write_points(out, "angle", &[a, b, c]),

@@ -1,6 +1,6 @@
 //! Reads expressions.
 
-use super::{Coordinate, MAX_DEPTH, Metric, Node, NodeId, intern, product_dimension};
+use super::{Coordinate, MAX_DEPTH, Metric, Node, NodeId, intern, named, product_dimension};
 use crate::domain::{Dimension, Domain, Extreme, Relation};
 use crate::text::{Failed, Lexer, Place, Token, split_at_last_dot};
 use heapless::VecView;
@@ -155,18 +155,15 @@ impl ExpressionParser<'_, '_, '_> {
                 .map(Node::Area)
                 .ok_or_else(|| lexer.fail_at(place, "no `shape` is declared for this object"));
         }
-        let metric = match name {
-            "dist" => Some(Metric::Straight),
-            "dist_x" => Some(Metric::X),
-            "dist_y" => Some(Metric::Y),
-            "dist_z" => Some(Metric::Z),
-            "angle" => None,
-            "min" | "max" => return Err(lexer.fail_at(at, "min and max cannot be of each other")),
-            _ => {
-                return Err(lexer.fail_at(at, "unknown function; there are dist, dist_x, dist_y, dist_z, angle, area, min, max",
-                ));
-            }
-        };
+        let metric = named(&Metric::NAMED, name);
+        if metric.is_none() && name != "angle" {
+            return Err(lexer.fail_at(at, match Extreme::from_name(name) {
+                Some(_) => "min and max cannot be of each other",
+                None => {
+                    "unknown function; there are dist, dist_x, dist_y, dist_z, angle, area, min, max"
+                }
+            }));
+        }
         let a = self.point(lexer)?;
         lexer.expect(",", "expected `,` and a second point")?;
         let b = self.point(lexer)?;
@@ -199,13 +196,7 @@ impl ExpressionParser<'_, '_, '_> {
         }
         leaf.or_else(|| {
             let (point, coordinate) = split_at_last_dot(name)?;
-            let coordinate = match coordinate {
-                "x" => Coordinate::X,
-                "y" => Coordinate::Y,
-                "z" => Coordinate::Z,
-                "theta" => Coordinate::Theta,
-                _ => return None,
-            };
+            let coordinate = named(&Coordinate::NAMED, coordinate)?;
             Some(Node::Coordinate(coordinate, domain.find_point(point)?))
         })
     }
