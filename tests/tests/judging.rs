@@ -19,6 +19,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 fn observe<E: Describe>(environment: &E, skills: &mut Skills<'_>, tasks: &[Task], states: usize) {
     let training = Training {
         chained: 20,
+        budget: 0,
         tasks: 10,
         instances: 4,
         states,

@@ -21,6 +21,7 @@ use critreg_tests::plan::skills::{SkillRoom, TrainingRoom};
 /// A dozen settings of a dozen tasks, of a hundred that there are.
 const TRAINING: Training = Training {
     chained: 20,
+    budget: 0,
     tasks: 12,
     instances: 12,
     states: 100,

@@ -460,6 +460,7 @@ fn learned<'m>(room: &'m mut SkillRoom, seed: u64, instances: usize) -> Skills<'
         instances,
         states: instances,
         chained: 100,
+        budget: 0,
         learner: LearnerConfig {
             calls: 200,
             slack: 0.0,
@@ -481,14 +482,14 @@ fn the_skills_are_learned_from_a_dozen_tasks() {
     // Whether the hand is below the board does not depend on where it places the box: of
     // a dozen held boxes each is one observation of that, and now and then the pitch or
     // the height alone explains all of them.
-    let seeds = 0..6;
+    let seeds = 0..15;
     let all_right = seeds.filter(|seed| {
         let mut room = SkillRoom::new(&Shelf);
         let [pick, place, later] = agreement(&learned(&mut room, *seed, 12), 10);
         assert!(pick > 0.99, "seed {seed}: {pick}");
         place > 0.98 && later > 0.99
     });
-    assert!(all_right.count() >= 4);
+    assert!(all_right.count() >= 10);
 }
 
 #[test]

@@ -38,6 +38,7 @@ fn know(skills: &mut Skills<'_>, regions: &[&str]) {
 fn observe(skills: &mut Skills<'_>) {
     let training = Training {
         chained: 20,
+        budget: 0,
         tasks: 10,
         instances: 4,
         states: 10,

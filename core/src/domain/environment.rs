@@ -2,9 +2,10 @@
 //! predicates of thesis 4.1.1.
 
 use super::atom::Predicate;
-use super::controller::{Controller, Parameters};
-use super::operator::{Operator, OperatorId};
+use super::controller::{Controller, ControllerId, Parameters};
+use super::operator::{GroundOperator, Operator, OperatorId};
 use super::state::{ObjectId, ObjectType, State};
+use crate::error::Error;
 use crate::random::uniform_in;
 use crate::table::gather;
 use rand_core::Rng;
@@ -32,6 +33,24 @@ pub trait Environment: Sized + 'static {
     /// Omega: the operators.
     fn operators(&self) -> &'static [Operator<'static>];
 
+    /// The operator that a ground one is an instance of.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if it is none of this environment.
+    fn operator(&self, ground: &GroundOperator) -> Result<&'static Operator<'static>, Error> {
+        let operator = self.operators().get(usize::from(ground.operator.0));
+        operator.ok_or(Error::Mismatch("an operator is not of this environment"))
+    }
+
+    /// A controller by its index.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if this environment has none with this index.
+    fn controller(&self, id: ControllerId) -> Result<&'static Controller<Self>, Error> {
+        let controller = self.controllers().get(usize::from(id.0));
+        controller.ok_or(Error::Mismatch("a controller is not of this environment"))
+    }
+
     /// f: changes the state by one action.
     ///
     /// # Errors
@@ -51,7 +70,7 @@ pub trait Environment: Sized + 'static {
         rng: &mut G,
     ) -> Parameters {
         let operator = self.operators().get(usize::from(operator.0));
-        let controller = operator.and_then(|o| self.controllers().get(usize::from(o.controller.0)));
+        let controller = operator.and_then(|o| self.controller(o.controller).ok());
         let space = controller.map_or(&[][..], |c| c.parameters);
         let numbers = space
             .iter()

@@ -38,7 +38,7 @@ impl Default for Config {
             max_length: MAX_SKELETON,
             max_actions: 100,
             max_samples: 10_000,
-            patience: 1024,
+            patience: 256,
         }
     }
 }

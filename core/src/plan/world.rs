@@ -2,9 +2,7 @@
 
 use super::guide::ReasonId;
 use super::skeleton::Skeleton;
-use crate::domain::{
-    Atoms, Controller, Environment, GroundOperator, Operator, Parameters, Rollout, State, rollout,
-};
+use crate::domain::{Atoms, Environment, GroundOperator, Parameters, Rollout, State, rollout};
 use crate::error::Error;
 use rand_core::Rng;
 
@@ -94,26 +92,14 @@ pub struct Simulated<'a, E> {
     pub atoms: &'a Atoms,
 }
 
-impl<E: Environment> Simulated<'_, E> {
-    fn operator(&self, ground: &GroundOperator) -> Result<&'static Operator<'static>, Error> {
-        let operators = self.environment.operators();
-        let operator = operators.get(usize::from(ground.operator.0));
-        operator.ok_or(Error::Mismatch("an operator is not of this environment"))
-    }
-
-    fn controller(&self, operator: &Operator<'_>) -> Option<&'static Controller<E>> {
-        let controllers = self.environment.controllers();
-        controllers.get(usize::from(operator.controller.0))
-    }
-}
-
 impl<E: Environment> World for Simulated<'_, E> {
     type State = State;
     type Error = Error;
 
     fn parameters(&self, ground: &GroundOperator) -> Result<usize, Error> {
-        let controller = self.controller(self.operator(ground)?);
-        Ok(controller.map_or(0, |c| c.parameters.len()))
+        let operator = self.environment.operator(ground)?;
+        let controller = self.environment.controller(operator.controller)?;
+        Ok(controller.parameters.len())
     }
 
     fn holds(&mut self, atom: u32, state: &State) -> Result<bool, Error> {
@@ -129,11 +115,9 @@ impl<E: Environment> World for Simulated<'_, E> {
         before: &State,
         after: &mut State,
     ) -> Result<u32, Error> {
-        let operator = self.operator(ground)?;
+        let operator = self.environment.operator(ground)?;
+        let controller = self.environment.controller(operator.controller)?;
         let objects = operator.controller_objects(ground.objects.as_slice())?;
-        let Some(controller) = self.controller(operator) else {
-            return Ok(0);
-        };
         let objects = objects.as_slice();
         let run = rollout(self.environment, controller, objects, parameters, before);
         let Rollout { state, actions, .. } = run;

@@ -53,7 +53,11 @@ impl TrainingRoom {
     /// parameters.
     pub fn new(training: &Training) -> TrainingRoom {
         let instances = training.instances.max(training.states);
-        let calls = training.learner.calls.max(training.chained) as usize;
+        let calls = training
+            .learner
+            .calls
+            .max(training.chained)
+            .max(training.budget) as usize;
         let candidates = 4 * instances;
         let capacity = Capacity {
             forms: 12_000,

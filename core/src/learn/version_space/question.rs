@@ -26,7 +26,7 @@ const GROUPS: usize = 12;
 const EACH: usize = 8;
 
 /// How often the distance to a proposal is halved.
-const SCALES: f64 = 12.0;
+const SCALES: usize = 12;
 
 /// Tries to find a sample at a certain value of a form.
 const TRIES: usize = 32;
@@ -62,7 +62,7 @@ fn any_theta(problem: &Problem<'_>, instance: usize, rng: &mut Generator) -> The
     }
     match problem.proposal(instance) {
         Some(proposal) if rng.next_u32() & 1 == 0 => {
-            let mut close = between(proposal, &theta, libm::exp2(-SCALES * uniform(rng)));
+            let mut close = between(proposal, &theta, any_scale(rng));
             for (value, p) in close.iter_mut().zip(problem.domain().parameters()) {
                 *value = Real::clamp(*value, p.low, p.high);
             }
@@ -70,6 +70,14 @@ fn any_theta(problem: &Problem<'_>, instance: usize, rng: &mut Generator) -> The
         }
         _ => theta,
     }
+}
+
+/// A share of any order of magnitude: uniform within a power of two, each of which is
+/// equally likely.
+fn any_scale(rng: &mut Generator) -> f64 {
+    let halvings = below(rng, SCALES);
+    let scale = uniform_in(rng, 0.5, 1.0);
+    (0..halvings).fold(scale, |scale, _| 0.5 * scale)
 }
 
 fn between(a: &Theta, b: &Theta, share: f64) -> Theta {

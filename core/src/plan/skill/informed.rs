@@ -68,12 +68,10 @@ impl<'a, E: Describe> Informed<'a, E> {
 
     /// The controller of a ground operator and its objects.
     pub(super) fn run(&self, ground: &GroundOperator) -> Option<Run<E>> {
-        let operators = self.environment.operators();
-        let operator = operators.get(usize::from(ground.operator.0))?;
-        let controllers = self.environment.controllers();
+        let operator = self.environment.operator(ground).ok()?;
         Some(Run {
             id: operator.controller,
-            controller: controllers.get(usize::from(operator.controller.0))?,
+            controller: self.environment.controller(operator.controller).ok()?,
             objects: operator
                 .controller_objects(ground.objects.as_slice())
                 .ok()?,
@@ -154,7 +152,7 @@ impl<'a, E: Describe> Informed<'a, E> {
             return Ok(false);
         };
         for own in 0..=last {
-            if own < last && !self.is_chained(prefix, own) {
+            if !self.is_known(prefix, own) {
                 continue;
             }
             let (state, unknown) = self.expected(prefix.until(own));
@@ -168,13 +166,15 @@ impl<'a, E: Describe> Informed<'a, E> {
         Ok(false)
     }
 
-    /// Whether something is known of a step and the last one of a sequence.
-    fn is_chained(&self, prefix: Skeleton<'_>, own: usize) -> bool {
+    /// Whether something is known of a step and the last one of a sequence, or of that
+    /// one alone.
+    fn is_known(&self, prefix: Skeleton<'_>, step: usize) -> bool {
         let run = |ground: Option<_>| ground.and_then(|ground| self.run(ground));
-        let (Some(own), Some(last)) = (run(prefix.get(own)), run(prefix.iter().next_back())) else {
+        let (Some(own), later) = (run(prefix.get(step)), prefix.from(step + 1)) else {
             return false;
         };
-        let mut known = self.skills.about(own.id, Some(last.id));
+        let last = run(later.iter().next_back()).map(|last| last.id);
+        let mut known = self.skills.about(own.id, last);
         known.any(|skill| skill.region.is_some())
     }
 }

@@ -133,19 +133,18 @@ impl<'m> Skills<'m> {
         let changes = changes.get_mut(..controllers.len());
         let changes = changes.ok_or(Error::CapacityExceeded("changes of controllers"))?;
         changes.fill(Changes::default());
-        let find = |id: ControllerId| {
-            let controller = controllers.get(usize::from(id.0));
-            controller.ok_or(Error::Mismatch("a description of no controller"))
-        };
         for (skill, description) in skills.iter_mut().zip(descriptions) {
             let domain = Domain::parse(description.text)?;
-            let own = find(description.own)?;
+            let own = environment.controller(description.own)?;
             if domain.parameters().len() > own.parameters.len() {
                 return Err(Error::Mismatch(
                     "a text has more parameters than its controller",
                 ));
             }
-            let later = description.later.map(find).transpose()?;
+            let later = description
+                .later
+                .map(|id| environment.controller(id))
+                .transpose()?;
             let later = later.map_or(&[][..], |later| later.arguments);
             *skill = Some(Skill {
                 description: *description,

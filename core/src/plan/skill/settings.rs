@@ -258,9 +258,8 @@ fn of_controller<'o, E: Describe>(
     operators: &'o [GroundOperator],
     controller: ControllerId,
 ) -> impl Iterator<Item = (&'o GroundOperator, Arguments)> {
-    let lifted = environment.operators();
     operators.iter().filter_map(move |ground| {
-        let operator = lifted.get(usize::from(ground.operator.0))?;
+        let operator = environment.operator(ground).ok()?;
         let own = operator.controller == controller;
         let arguments = operator.controller_objects(ground.objects.as_slice());
         own.then_some((ground, arguments.ok()?))
@@ -271,8 +270,7 @@ fn controller_objects<E: Describe>(
     environment: &E,
     ground: &GroundOperator,
 ) -> Result<Arguments, Error> {
-    let operator = environment.operators().get(usize::from(ground.operator.0));
-    let operator = operator.ok_or(Error::Mismatch("an operator is not of this environment"))?;
+    let operator = environment.operator(ground)?;
     operator.controller_objects(ground.objects.as_slice())
 }
 

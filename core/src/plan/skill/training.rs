@@ -18,6 +18,9 @@ pub struct Training {
     pub learner: Config,
     /// Questions about two controllers.
     pub chained: u32,
+    /// Controllers that are run for one about which there is a single text: what the ways
+    /// to the instances leave of them are its questions, if these are more.
+    pub budget: u32,
     /// Tasks that instances are taken from.
     pub tasks: usize,
     /// Instances in which parameters are tried.
@@ -31,6 +34,7 @@ impl Default for Training {
         Training {
             learner: Config::default(),
             chained: 200,
+            budget: 0,
             tasks: 150,
             instances: 20,
             states: 150,
@@ -160,6 +164,10 @@ impl Skills<'_> {
         let config = Config {
             calls: match later {
                 Some(_) => training.chained,
+                None if self.is_only(index) => {
+                    let left = training.budget.saturating_sub(calls);
+                    left.max(training.learner.calls)
+                }
                 None => training.learner.calls,
             },
             ..training.learner
@@ -188,6 +196,13 @@ impl Skills<'_> {
         learned.region = region.is_some();
         self.get_mut(index).ok_or(NO_SKILL)?.set_region(region);
         Ok(learned)
+    }
+
+    /// Whether a skill is all that there is to know about its controller.
+    fn is_only(&self, index: usize) -> bool {
+        let own = |skill: &Skill| skill.description.own;
+        let same = |skill: &&Skill| self.get(index).is_some_and(|only| own(only) == own(skill));
+        self.iter().filter(same).count() == 1
     }
 
     /// Tries settings without parameters, and leaves out those of two controllers of

@@ -1,7 +1,7 @@
 //! Trying a setting: the question that the learner of a skill asks.
 
 use super::{Describe, Informed, MAX_CHAIN, Setting, Skills};
-use crate::domain::{GroundOperator, MAX_PARAMETERS, Operator, Parameters, State, try_operator};
+use crate::domain::{GroundOperator, MAX_PARAMETERS, Parameters, State, try_operator};
 use crate::error::Error;
 use crate::learn::Answer;
 use crate::plan::{Draw, Drawn, Sampler, Skeleton};
@@ -31,7 +31,7 @@ impl GroundOperator {
         state: &State,
         rng: &mut Generator,
     ) -> Theta {
-        let drawn = environment.sample(self.operator, state, self.objects.as_slice(), rng);
+        let drawn = completed(environment, self, state, &[], rng);
         let mut theta = [0.0; MAX_PARAMETERS];
         for (value, drawn) in theta.iter_mut().zip(&drawn) {
             *value = f64::from(*drawn);
@@ -140,7 +140,7 @@ impl Skills<'_> {
                 }
             }
         };
-        let (operator, objects) = (operator(environment, ground)?, ground.objects.as_slice());
+        let (operator, objects) = (environment.operator(ground)?, ground.objects.as_slice());
         let outcome = try_operator(environment, operator, objects, &parameters, state);
         if !outcome.is_feasible() {
             return Ok(Tried::Fails);
@@ -171,18 +171,7 @@ pub(super) fn completed<E: Describe, R: rand_core::Rng>(
 }
 
 fn is_sampled<E: Describe>(environment: &E, ground: &GroundOperator) -> Result<bool, Error> {
-    let operator = operator(environment, ground)?;
-    let controller = environment
-        .controllers()
-        .get(usize::from(operator.controller.0));
-    Ok(controller.is_some_and(|c| !c.parameters.is_empty()))
-}
-
-fn operator<E: Describe>(
-    environment: &E,
-    ground: &GroundOperator,
-) -> Result<&'static Operator<'static>, Error> {
-    let operators = environment.operators();
-    let operator = operators.get(usize::from(ground.operator.0));
-    operator.ok_or(Error::Mismatch("an operator is not of this environment"))
+    let operator = environment.operator(ground)?;
+    let controller = environment.controller(operator.controller)?;
+    Ok(!controller.parameters.is_empty())
 }
