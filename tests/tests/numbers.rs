@@ -27,7 +27,7 @@ fn written(value: f64) {
 #[test]
 fn every_number_is_written_and_read_as_it_was() {
     let mut rng = generator(1);
-    for _ in 0..30_000 {
+    for _ in 0..10_000 {
         let value = f64::from_bits(rng.next_u64());
         if value.is_finite() {
             written(value);

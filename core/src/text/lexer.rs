@@ -225,8 +225,11 @@ impl Language {
             _ if self.begins_name(first) => (Token::Name, self.name_length(text.as_bytes())),
             (_, b'0'..=b'9') => (number, number_length(text.as_bytes())),
             (Language::Own, b'<' | b'>') if second == b'=' => (Token::Symbol, 2),
-            (Language::Own, _) if is_one_of(first, b"()[]{},:=+-*<>") => (Token::Symbol, 1),
-            (Language::Pddl, _) if is_one_of(first, b"()=-") => (Token::Symbol, 1),
+            (_, b'(' | b')' | b'=' | b'-') => (Token::Symbol, 1),
+            (
+                Language::Own,
+                b'[' | b']' | b'{' | b'}' | b',' | b':' | b'+' | b'*' | b'<' | b'>',
+            ) => (Token::Symbol, 1),
             (Language::Pddl, b':') if self.begins_name(second) => {
                 (Token::Symbol, 1 + self.name_length(behind))
             }
@@ -270,11 +273,6 @@ fn number_length(text: &[u8]) -> usize {
         previous = byte;
         byte.is_ascii_alphanumeric() || byte == b'.' || byte == b'_' || signed_exponent
     })
-}
-
-/// As `contains`, which is made for long texts.
-fn is_one_of(byte: u8, all: &[u8]) -> bool {
-    all.iter().any(|one| *one == byte)
 }
 
 /// How many bytes at the start are such.

@@ -45,7 +45,7 @@ impl Shortest {
         }
         // The logarithm of a power of two, rounded down; exact for all that there are.
         let highest = exponent + 63 - whole.leading_zeros() as i32;
-        let place = (highest * 315_653 >> 20) + 1;
+        let place = ((highest * 315_653) >> 20) + 1;
         if place < 0 {
             rest.multiply_power(10, place.unsigned_abs());
             above.multiply_power(10, place.unsigned_abs());
