@@ -192,9 +192,12 @@ pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, TermError> {
         .ok_or(TermError::Missing)
 }
 
+/// Makes a term of two operands.
+type Operation = fn(NodeId, NodeId) -> Node;
+
 impl Node {
     /// The operands of a sum, difference or product, and what makes one of others.
-    pub(super) fn operands(self) -> Option<(NodeId, NodeId, fn(NodeId, NodeId) -> Node)> {
+    pub(super) fn operands(self) -> Option<(NodeId, NodeId, Operation)> {
         match self {
             Node::Sum(a, b) => Some((a, b, Node::Sum)),
             Node::Difference(a, b) => Some((a, b, Node::Difference)),
