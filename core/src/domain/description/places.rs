@@ -32,13 +32,13 @@ impl<'t> DomainParser<'_, 't> {
         }
         self.lexer.expect("=", "expected `=` and a shape")?;
         let (shape, extents) = if self.lexer.accept("circle") {
-            let [radius] = self.sizes()?;
+            let [radius, _] = self.sizes(1)?;
             let extent = self.centred(radius)?;
             (Shape::Circle { radius }, [extent, extent])
         } else {
             self.lexer
                 .expect("rectangle", "expected `circle` or `rectangle`")?;
-            let [width, height] = self.sizes()?;
+            let [width, height] = self.sizes(2)?;
             let (half_width, half_height) = (self.half(width)?, self.half(height)?);
             let extents = if self.lexer.accept("centred") {
                 [self.centred(half_width)?, self.centred(half_height)?]
@@ -76,11 +76,11 @@ impl<'t> DomainParser<'_, 't> {
         Ok(())
     }
 
-    /// `( expr, ... )`: the sizes of a shape.
-    fn sizes<const N: usize>(&mut self) -> Result<[NodeId; N], Failed> {
-        let mut sizes = [NodeId::default(); N];
+    /// `( expr, ... )`: the one or two sizes of a shape.
+    fn sizes(&mut self, count: usize) -> Result<[NodeId; 2], Failed> {
+        let mut sizes = [NodeId::default(); 2];
         let mut separator = "(";
-        for size in &mut sizes {
+        for size in sizes.iter_mut().take(count) {
             self.lexer
                 .expect(separator, "expected the sizes of the shape in brackets")?;
             separator = ",";
