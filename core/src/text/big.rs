@@ -1,26 +1,38 @@
 //! Whole numbers that are long enough to decide which `f64` a text means.
 
 use core::cmp::Ordering;
+use heapless::Vec;
 
 /// 768 digits and one more are 2555 bits, 5^1099 is 2552 bits; and one bit for the
 /// division.
 const WORDS: usize = 81;
 
-/// A whole number below 2^2592, the lowest word first.
+/// A whole number below 2^2592, the lowest word first and without zeros at the end, so
+/// that small ones are fast.
 #[derive(Clone)]
-pub(super) struct Big([u32; WORDS]);
+pub(super) struct Big(Vec<u32, WORDS>);
 
 impl From<u64> for Big {
     fn from(value: u64) -> Big {
-        let mut big = Big::ZERO;
-        let [low, high, ..] = &mut big.0;
-        (*low, *high) = (value as u32, (value >> u32::BITS) as u32);
+        let mut big = Big(Vec::new());
+        big.push(value as u32);
+        big.push((value >> u32::BITS) as u32);
+        big.trim();
         big
     }
 }
 
 impl Big {
-    pub(super) const ZERO: Big = Big([0; WORDS]);
+    /// There is room for every number that occurs.
+    fn push(&mut self, word: u32) {
+        let _ = self.0.push(word);
+    }
+
+    fn trim(&mut self) {
+        while self.0.last() == Some(&0) {
+            self.0.pop();
+        }
+    }
 
     /// `self * factor + term`.
     pub(super) fn multiply_add(&mut self, factor: u32, term: u32) {
@@ -29,6 +41,9 @@ impl Big {
             carry += u64::from(*word) * u64::from(factor);
             *word = carry as u32;
             carry >>= u32::BITS;
+        }
+        if carry > 0 {
+            self.push(carry as u32);
         }
     }
 
@@ -48,17 +63,21 @@ impl Big {
 
     /// How many bits it has without leading zeros.
     fn bits(&self) -> i32 {
-        let zeros = self.0.iter().rev().take_while(|word| **word == 0).count();
-        let highest = self.0.iter().rev().nth(zeros);
-        let words = (WORDS - zeros) as i32;
-        highest.map_or(0, |word| 32 * words - word.leading_zeros() as i32)
+        let zeros = self.0.last().map_or(0, |word| word.leading_zeros());
+        (32 * self.0.len()) as i32 - zeros as i32
     }
 
     pub(super) fn compare(&self, other: &Big) -> Ordering {
-        self.0.iter().rev().cmp(other.0.iter().rev())
+        let lengths = self.0.len().cmp(&other.0.len());
+        lengths.then_with(|| self.0.iter().rev().cmp(other.0.iter().rev()))
     }
 
     pub(super) fn add(&mut self, other: &Big) {
+        while self.0.len() < other.0.len() {
+            self.push(0);
+        }
+        // A word for what is carried out of the highest.
+        self.push(0);
         self.combine(other, u32::overflowing_add);
     }
 
@@ -70,11 +89,14 @@ impl Big {
     /// Adds or subtracts word by word, and what is carried or borrowed from the next.
     fn combine(&mut self, other: &Big, operation: fn(u32, u32) -> (u32, bool)) {
         let mut carry = false;
-        for (word, other) in self.0.iter_mut().zip(&other.0) {
-            let (first, once) = operation(*word, *other);
+        let mut others = other.0.iter();
+        for word in &mut self.0 {
+            let other = others.next().copied().unwrap_or(0);
+            let (first, once) = operation(*word, other);
             let (second, twice) = operation(first, u32::from(carry));
             (*word, carry) = (second, once | twice);
         }
+        self.trim();
     }
 
     /// The quotient of two numbers that are not zero, as `whole * 2^exponent` with a
@@ -96,7 +118,6 @@ impl Big {
             }
             self.multiply_add(2, 0);
         }
-        let exact = self.0.iter().all(|word| *word == 0);
-        (quotient, difference - 63, exact)
+        (quotient, difference - 63, self.0.is_empty())
     }
 }

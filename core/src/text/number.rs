@@ -144,7 +144,7 @@ impl<'t> Decimal<'t> {
     /// The value by arithmetic on whole numbers of any length that matters.
     #[inline(never)]
     fn long(&self) -> Option<f64> {
-        let mut whole = Big::ZERO;
+        let mut whole = Big::from(0);
         let (mut count, mut ignored, mut more) = (0, 0, false);
         for digit in self.digits() {
             if count == DIGITS {
