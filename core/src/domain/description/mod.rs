@@ -386,6 +386,11 @@ mod tests {
             ("constant c = 1 + : none", 1, 18),
             ("constant c = 1: none constant c = 2: none", 1, 31),
             ("parameter mu in [0, 1] point p = world + (mu, 0)", 1, 43),
+            (
+                "object a { x: length, y: length, theta: angle }\npoint p = a + (1, 0)\npoint q = world turned p.theta",
+                3,
+                24,
+            ),
             ("banana", 1, 1),
         ];
         for (text, line, column) in cases {
