@@ -136,14 +136,14 @@ impl<'t> Domain<'t> {
     /// The members that a term is about, apart from those that an extreme is taken
     /// of: none, one, or those of several points.
     pub(crate) fn members_in(&self, term: Node) -> [Option<Member>; 3] {
-        let point = |p: u8| self.points.get(usize::from(p))?.member;
         match term {
             Node::Attribute(slot) => [self.owner(slot).and_then(|o| o.member), None, None],
-            Node::Coordinate(_, p) => [point(p), None, None],
-            Node::Distance(_, a, b) | Node::Angle(a, b) => [point(a), point(b), None],
-            Node::VertexAngle(a, b, c) => [point(a), point(b), point(c)],
-            _ => [None; 3],
+            other => other.points().map(|point| self.point_member(point?)),
         }
+    }
+
+    fn point_member(&self, point: u8) -> Option<Member> {
+        self.points.get(usize::from(point))?.member
     }
 
     /// What a relation is for each member of its group, with that member.
@@ -157,7 +157,7 @@ impl<'t> Domain<'t> {
 
     /// What a term about the first member of a group is for another member.
     pub(super) fn for_member(&self, term: Node, index: u8) -> Node {
-        let point = |p: u8| match self.points.get(usize::from(p)).and_then(|p| p.member) {
+        let point = |p: u8| match self.point_member(p) {
             Some(_) => p.saturating_add(index),
             None => p,
         };
@@ -181,7 +181,7 @@ impl<'t> Domain<'t> {
     }
 
     /// The object to which a number of an instance belongs.
-    fn owner(&self, slot: u8) -> Option<&Object<'t>> {
+    pub(super) fn owner(&self, slot: u8) -> Option<&Object<'t>> {
         self.objects.iter().rfind(|o| o.first_slot <= slot)
     }
 }

@@ -95,7 +95,7 @@ mod task;
 mod trial;
 
 pub(crate) use description::CHECKSUM;
-pub(crate) use expression::{copy, intern, is_same};
+pub(crate) use expression::{TermError, copy, intern, is_same};
 
 pub use abstraction::{AtomSet, Atoms, MAX_ATOMS};
 pub use algebra::{Algebra, Arithmetic, Curve, Line, Measure, Range};

@@ -273,9 +273,15 @@ impl<'t> Domain<'t> {
 
     /// Every attribute of every object in the order of an instance.
     pub fn slots(&self) -> impl Iterator<Item = (&Object<'t>, &Attribute<'t>)> {
-        self.objects
-            .iter()
-            .flat_map(|o| self.attributes_of(o.type_index).iter().map(move |a| (o, a)))
+        (0..self.slots).filter_map(|slot| self.slot(slot))
+    }
+
+    /// The attribute at a place in an instance, with its object.
+    pub(crate) fn slot(&self, slot: u8) -> Option<(&Object<'t>, &Attribute<'t>)> {
+        let object = self.owner(slot)?;
+        let own = self.attributes_of(object.type_index);
+        let attribute = own.get(usize::from(slot - object.first_slot))?;
+        Some((object, attribute))
     }
 
     /// Checks that `instance` has one finite number per attribute; or NaN for all
@@ -351,10 +357,10 @@ impl<'t> Domain<'t> {
     /// member if it is a group.
     pub fn find_slot(&self, name: &str) -> Option<u8> {
         let (owner, attribute) = split_at_dot(name)?;
-        let found = self
-            .slots()
-            .position(|(o, a)| o.name == owner && a.name == attribute);
-        index_of(found)
+        let object = self.objects.iter().find(|o| o.name == owner)?;
+        let mut own = self.attributes_of(object.type_index).iter();
+        let place = index_of(own.position(|a| a.name == attribute))?;
+        object.first_slot.checked_add(place)
     }
 
     /// Index of the shape of the object with this name.

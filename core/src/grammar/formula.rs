@@ -13,7 +13,7 @@
 
 use crate::domain::{Domain, Node, NodeId, copy, intern};
 use crate::error::Error;
-use crate::text::{Lexer, Token};
+use crate::text::{Failed, Lexer, Token};
 use core::fmt;
 use heapless::Vec;
 
@@ -257,35 +257,28 @@ impl Formula {
         bits.filter(|_| self.steps.iter().all(joins))
     }
 
-    /// What is known of it, given a bit for each constraint that may hold and one
-    /// for each that may fail.
-    pub fn truth_of_masks(&self, hold: u32, fail: u32) -> Truth {
-        let bit = |mask: u32, index: u8| mask.checked_shr(u32::from(index)).unwrap_or(0) & 1 == 1;
-        self.evaluate(|index| Truth {
-            may_hold: bit(hold, index),
-            may_fail: bit(fail, index),
-        })
-    }
-
     /// What is known of it, given what is known of each constraint.
     pub fn truth(&self, mut constraint: impl FnMut(&Constraint) -> Truth) -> Truth {
-        self.evaluate(|index| {
-            let known = self.constraints.get(usize::from(index));
-            known.map_or(Truth::from(false), &mut constraint)
-        })
+        let (mut hold, mut fail) = (0, 0);
+        for (index, own) in self.constraints.iter().enumerate() {
+            let known = constraint(own);
+            hold |= u32::from(known.may_hold) << index;
+            fail |= u32::from(known.may_fail) << index;
+        }
+        self.truth_of_masks(hold, fail)
     }
 
-    #[inline]
-    fn evaluate(&self, mut constraint: impl FnMut(u8) -> Truth) -> Truth {
+    /// What is known of it, given a bit for each constraint that may hold and one
+    /// for each that may fail.
+    pub fn truth_of_masks(&self, may_hold: u32, may_fail: u32) -> Truth {
+        let bit = |mask: u32, index: u8| u64::from(mask.checked_shr(index.into()).unwrap_or(0) & 1);
         // One bit per stack entry: a formula of 96 steps is at most 48 deep.
         let (mut hold, mut fail) = (0u64, 0u64);
-        let bit = |flag: bool| u64::from(flag);
         for step in &self.steps {
             match step {
                 Step::Constraint(index) => {
-                    let truth = constraint(*index);
-                    hold = hold << 1 | bit(truth.may_hold);
-                    fail = fail << 1 | bit(truth.may_fail);
+                    hold = hold << 1 | bit(may_hold, *index);
+                    fail = fail << 1 | bit(may_fail, *index);
                 }
                 Step::True => {
                     hold = hold << 1 | 1;
@@ -326,10 +319,8 @@ impl Formula {
             formula: Formula::everything(),
             depth: 0,
         };
-        parser.disjunction()?;
-        if parser.lexer.token() != Token::End {
-            return Err(parser.lexer.error("expected `and`, `or` or the end"));
-        }
+        let read = parser.whole();
+        parser.lexer.outcome(read)?;
         if parser.formula.steps.as_slice() == [Step::True] {
             return Ok(Formula::everything());
         }
@@ -453,27 +444,35 @@ struct FormulaParser<'d, 't, 's> {
 }
 
 impl FormulaParser<'_, '_, '_> {
-    fn disjunction(&mut self) -> Result<(), Error> {
+    fn whole(&mut self) -> Result<(), Failed> {
+        self.disjunction()?;
+        match self.lexer.token() {
+            Token::End => Ok(()),
+            _ => Err(self.lexer.fail("expected `and`, `or` or the end")),
+        }
+    }
+
+    fn disjunction(&mut self) -> Result<(), Failed> {
         self.conjunction()?;
         while self.lexer.accept("or") {
             self.conjunction()?;
-            self.formula.push_step(Step::Or)?;
+            self.push_step(Step::Or)?;
         }
         Ok(())
     }
 
-    fn conjunction(&mut self) -> Result<(), Error> {
+    fn conjunction(&mut self) -> Result<(), Failed> {
         self.literal()?;
         while self.lexer.accept("and") {
             self.literal()?;
-            self.formula.push_step(Step::And)?;
+            self.push_step(Step::And)?;
         }
         Ok(())
     }
 
-    fn literal(&mut self) -> Result<(), Error> {
+    fn literal(&mut self) -> Result<(), Failed> {
         if self.depth >= MAX_NESTING {
-            return Err(self.lexer.error("the formula is nested too deeply"));
+            return Err(self.lexer.fail("the formula is nested too deeply"));
         }
         self.depth += 1;
         let read = self.nested_literal();
@@ -481,13 +480,13 @@ impl FormulaParser<'_, '_, '_> {
         read
     }
 
-    fn nested_literal(&mut self) -> Result<(), Error> {
+    fn nested_literal(&mut self) -> Result<(), Failed> {
         if self.lexer.accept("not") {
             self.literal()?;
-            return self.formula.push_step(Step::Not);
+            return self.push_step(Step::Not);
         }
         if self.lexer.accept("true") {
-            return self.formula.push_step(Step::True);
+            return self.push_step(Step::True);
         }
         if self.lexer.token() != Token::Symbol("(") {
             return self.constraint();
@@ -500,25 +499,32 @@ impl FormulaParser<'_, '_, '_> {
             formula.constraints.len(),
             formula.steps.len(),
         );
-        let Err(as_constraint) = self.constraint() else {
+        if self.constraint().is_ok() {
             return Ok(());
-        };
-        self.lexer = lexer;
+        }
+        let as_constraint = core::mem::replace(&mut self.lexer, lexer);
         self.formula.truncate(kept);
         self.lexer.advance();
-        let as_formula = self
-            .disjunction()
-            .and_then(|()| self.lexer.expect(")", "expected `and`, `or` or `)`"));
-        as_formula.map_err(|error| further(as_constraint, error))
+        let as_formula = self.bracketed();
+        if as_formula.is_err() {
+            self.lexer.note_further(&as_constraint);
+        }
+        as_formula
     }
 
-    fn constraint(&mut self) -> Result<(), Error> {
+    /// A formula and the bracket that closes it.
+    fn bracketed(&mut self) -> Result<(), Failed> {
+        self.disjunction()?;
+        self.lexer.expect(")", "expected `and`, `or` or `)`")
+    }
+
+    fn constraint(&mut self) -> Result<(), Failed> {
         let left = self.expression()?;
-        let at = self.lexer.clone();
+        let at = self.lexer.place();
         let comparison = Comparison::ALL
             .into_iter()
             .find(|c| self.lexer.token() == Token::Symbol(c.symbol()))
-            .ok_or_else(|| at.error("expected `<`, `<=`, `>=` or `>`"))?;
+            .ok_or_else(|| self.lexer.fail_at(at, "expected `<`, `<=`, `>=` or `>`"))?;
         self.lexer.advance();
         let right = self.expression()?;
         let mut name = None;
@@ -533,25 +539,27 @@ impl FormulaParser<'_, '_, '_> {
         if let Some(first) = measured.next()
             && measured.any(|d| d != first)
         {
-            return Err(at.error("the two sides have different dimensions"));
+            return Err(self
+                .lexer
+                .fail_at(at, "the two sides have different dimensions"));
         }
-        self.formula.push_constraint(Constraint {
+        let constraint = Constraint {
             left,
             comparison,
             right,
             name,
-        })
+        };
+        let pushed = self.formula.push_constraint(constraint);
+        pushed.map_err(|full| self.lexer.note(full))
     }
 
-    fn expression(&mut self) -> Result<NodeId, Error> {
+    fn push_step(&mut self, step: Step) -> Result<(), Failed> {
+        let pushed = self.formula.push_step(step);
+        pushed.map_err(|full| self.lexer.note(full))
+    }
+
+    fn expression(&mut self) -> Result<NodeId, Failed> {
         self.domain
-            .parse_expression(&mut self.lexer, &mut self.formula.nodes)
-    }
-}
-
-fn further(a: Error, b: Error) -> Error {
-    match (a, b) {
-        (Error::Syntax(x), Error::Syntax(y)) if (x.line, x.column) > (y.line, y.column) => a,
-        _ => b,
+            .read_expression(&mut self.lexer, &mut self.formula.nodes)
     }
 }

@@ -5,6 +5,15 @@
 use super::read_number;
 use crate::error::{Error, SyntaxError};
 
+/// Something failed; what, the lexer has noted. An error takes several words, which
+/// every function of a parser would have to hand on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Failed;
+
+/// Where a token stands in a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place(usize);
+
 /// One word of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Token<'t> {
@@ -38,12 +47,12 @@ enum Language {
 #[derive(Clone, Debug)]
 pub struct Lexer<'t> {
     language: Language,
-    rest: &'t str,
+    text: &'t str,
     token: Token<'t>,
-    line: u32,
-    column: u32,
-    next_line: u32,
-    next_column: u32,
+    /// Where the token begins and ends, in bytes.
+    start: usize,
+    end: usize,
+    failure: Option<Error>,
 }
 
 impl<'t> Lexer<'t> {
@@ -60,12 +69,11 @@ impl<'t> Lexer<'t> {
     fn of(language: Language, text: &'t str) -> Self {
         let mut lexer = Lexer {
             language,
-            rest: text,
+            text,
             token: Token::End,
-            line: 1,
-            column: 1,
-            next_line: 1,
-            next_column: 1,
+            start: 0,
+            end: 0,
+            failure: None,
         };
         lexer.advance();
         lexer
@@ -76,16 +84,19 @@ impl<'t> Lexer<'t> {
         self.token
     }
 
+    /// Where that token stands.
+    pub fn place(&self) -> Place {
+        Place(self.start)
+    }
+
     /// Moves on and returns the token left behind.
     pub fn advance(&mut self) -> Token<'t> {
-        let left = self.token;
-        self.skip_blanks();
-        self.line = self.next_line;
-        self.column = self.next_column;
-        let length = self.language.token_length(self.rest);
-        let word = self.take(length);
-        self.token = self.language.token(word);
-        left
+        let rest = self.text.as_bytes().get(self.end..).unwrap_or_default();
+        self.start = self.end + self.language.blanks(rest);
+        let word = self.text.get(self.start..).unwrap_or_default();
+        let (token, length) = self.language.token(word);
+        self.end = self.start + length;
+        core::mem::replace(&mut self.token, token)
     }
 
     /// Moves on if it stands on this symbol or name.
@@ -104,133 +115,169 @@ impl<'t> Lexer<'t> {
     /// Moves on past this symbol or name.
     ///
     /// # Errors
-    /// [`Error::Syntax`] with `what` if something else stands there.
-    pub fn expect(&mut self, word: &str, what: &'static str) -> Result<(), Error> {
+    /// Notes a syntax error with `what` if something else stands there.
+    pub fn expect(&mut self, word: &str, what: &'static str) -> Result<(), Failed> {
         if self.accept(word) {
             Ok(())
         } else {
-            Err(self.error(what))
+            Err(self.fail(what))
         }
     }
 
     /// Moves on past a name and returns it.
     ///
     /// # Errors
-    /// [`Error::Syntax`] with `what` if something else stands there.
-    pub fn expect_name(&mut self, what: &'static str) -> Result<&'t str, Error> {
+    /// Notes a syntax error with `what` if something else stands there.
+    pub fn expect_name(&mut self, what: &'static str) -> Result<&'t str, Failed> {
         match self.token {
             Token::Name(name) => {
                 self.advance();
                 Ok(name)
             }
-            _ => Err(self.error(what)),
+            _ => Err(self.fail(what)),
         }
     }
 
     /// An error at the token it stands on.
     pub fn error(&self, what: &'static str) -> Error {
+        self.error_at(self.place(), what)
+    }
+
+    fn error_at(&self, place: Place, what: &'static str) -> Error {
+        let before = self.text.as_bytes().get(..place.0).unwrap_or_default();
+        let breaks = before.iter().filter(|byte| **byte == b'\n').count();
+        let line = before.iter().rev().take_while(|byte| **byte != b'\n');
+        // In UTF-8 the bytes of a character but its first one begin with the bits 10.
+        let chars = line.filter(|byte| **byte >> 6 != 0b10).count();
+        let number =
+            |before: usize| u32::try_from(before).map_or(u32::MAX, |n| n.saturating_add(1));
         Error::Syntax(SyntaxError {
-            line: self.line,
-            column: self.column,
+            line: number(breaks),
+            column: number(chars),
             what,
         })
     }
 
-    fn skip_blanks(&mut self) {
-        let mut comment = false;
-        let sign = self.language.comment_sign();
-        let blank = |c: char| {
-            comment = c == sign || (comment && c != '\n');
-            comment || c.is_whitespace()
-        };
-        let length = self.rest.len() - self.rest.trim_start_matches(blank).len();
-        self.take(length);
+    /// Notes a syntax error at the token it stands on.
+    pub(crate) fn fail(&mut self, what: &'static str) -> Failed {
+        self.fail_at(self.place(), what)
     }
 
-    /// Cuts `length` bytes off the rest and counts lines and columns.
-    fn take(&mut self, length: usize) -> &'t str {
-        let (taken, rest) = self
-            .rest
-            .split_at_checked(length)
-            .unwrap_or((self.rest, ""));
-        for c in taken.chars() {
-            if c == '\n' {
-                self.next_line = self.next_line.saturating_add(1);
-                self.next_column = 1;
-            } else {
-                self.next_column = self.next_column.saturating_add(1);
-            }
+    /// Notes a syntax error at an earlier token.
+    #[inline(never)]
+    pub(crate) fn fail_at(&mut self, place: Place, what: &'static str) -> Failed {
+        self.note(self.error_at(place, what))
+    }
+
+    /// Notes that a table is full.
+    #[inline(never)]
+    pub(crate) fn full(&mut self, what: &'static str) -> Failed {
+        self.note(Error::CapacityExceeded(what))
+    }
+
+    /// Notes an error of what it reads for.
+    pub(crate) fn note(&mut self, error: Error) -> Failed {
+        self.failure = Some(error);
+        Failed
+    }
+
+    /// Notes what another lexer has noted, if that is an error further on in the text.
+    pub(crate) fn note_further(&mut self, other: &Lexer<'_>) {
+        if let (Some(Error::Syntax(own)), Some(Error::Syntax(noted))) =
+            (self.failure, other.failure)
+            && (noted.line, noted.column) > (own.line, own.column)
+        {
+            self.failure = other.failure;
         }
-        self.rest = rest;
-        taken
+    }
+
+    /// What was noted, if something failed.
+    ///
+    /// # Errors
+    /// That.
+    pub(crate) fn outcome<T>(&self, result: Result<T, Failed>) -> Result<T, Error> {
+        result.map_err(|Failed| self.failure.unwrap_or(self.error("")))
     }
 }
 
 impl Language {
-    fn comment_sign(self) -> char {
-        match self {
-            Language::Own => '#',
-            Language::Pddl => ';',
-        }
-    }
-
-    /// The token that this word is; of an empty word the end of the text.
-    fn token(self, word: &str) -> Token<'_> {
-        let mut bytes = word.bytes();
-        let (Some(first), second) = (bytes.next(), bytes.next()) else {
-            return Token::End;
+    /// Length in bytes of the blanks and comments at the start of `text`.
+    fn blanks(self, text: &[u8]) -> usize {
+        let sign = match self {
+            Language::Own => b'#',
+            Language::Pddl => b';',
         };
-        match self {
-            _ if self.begins_name(char::from(first)) => Token::Name(word),
-            _ if first.is_ascii_digit() => read_number(word).map_or(Token::Unknown, Token::Number),
-            Language::Own if b"()[]{},:=+-*<>".contains(&first) => Token::Symbol(word),
-            Language::Pddl if b"()=-".contains(&first) => Token::Symbol(word),
-            Language::Pddl if first == b':' && second.is_some() => Token::Symbol(word),
-            Language::Pddl if first == b'?' && second.is_some() => Token::Variable(word),
-            _ => Token::Unknown,
-        }
+        let mut comment = false;
+        run(text, |byte| {
+            comment = byte == sign || (comment && byte != b'\n');
+            comment || byte.is_ascii_whitespace()
+        })
     }
 
-    /// Length in bytes of the token at the start of `text`.
-    fn token_length(self, text: &str) -> usize {
-        let mut chars = text.chars();
-        let (first, second) = (chars.next(), chars.next());
-        match (self, first) {
-            (_, None) => 0,
-            (_, Some(c)) if self.begins_name(c) => self.name_length(text),
-            (_, Some(c)) if c.is_ascii_digit() => number_length(text),
-            (Language::Own, Some('<' | '>')) if second == Some('=') => 2,
-            (Language::Pddl, Some(':' | '?')) if second.is_some_and(|c| self.begins_name(c)) => {
-                1 + self.name_length(text.trim_start_matches([':', '?']))
+    /// The token at the start of a text, and its length in bytes.
+    fn token<'t>(self, text: &'t str) -> (Token<'t>, usize) {
+        let (first, behind) = match text.as_bytes() {
+            [] => return (Token::End, 0),
+            [first, behind @ ..] => (*first, behind),
+        };
+        let second = behind.first().copied().unwrap_or_default();
+        let (make, length): (fn(&'t str) -> Token<'t>, usize) = match (self, first) {
+            _ if self.begins_name(first) => (Token::Name, self.name_length(text.as_bytes())),
+            (_, b'0'..=b'9') => (number, number_length(text.as_bytes())),
+            (Language::Own, b'<' | b'>') if second == b'=' => (Token::Symbol, 2),
+            (_, b'(' | b')' | b'=' | b'-') => (Token::Symbol, 1),
+            (
+                Language::Own,
+                b'[' | b']' | b'{' | b'}' | b',' | b':' | b'+' | b'*' | b'<' | b'>',
+            ) => (Token::Symbol, 1),
+            (Language::Pddl, b':') if self.begins_name(second) => {
+                (Token::Symbol, 1 + self.name_length(behind))
             }
-            (_, Some(c)) => c.len_utf8(),
-        }
-    }
-
-    fn begins_name(self, c: char) -> bool {
-        c.is_ascii_alphabetic() || (self == Language::Own && c == '_')
-    }
-
-    fn name_length(self, text: &str) -> usize {
-        let joint = match self {
-            Language::Own => '.',
-            Language::Pddl => '-',
+            (Language::Pddl, b'?') if self.begins_name(second) => {
+                (Token::Variable, 1 + self.name_length(behind))
+            }
+            // Whole characters.
+            _ => {
+                let others = run(behind, |byte| !first.is_ascii() && !byte.is_ascii());
+                (|_| Token::Unknown, 1 + others)
+            }
         };
-        let belongs = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == joint;
-        text.find(|c| !belongs(c)).unwrap_or(text.len())
+        (make(text.get(..length).unwrap_or_default()), length)
     }
+
+    fn begins_name(self, byte: u8) -> bool {
+        byte.is_ascii_alphabetic() || (self == Language::Own && byte == b'_')
+    }
+
+    fn name_length(self, text: &[u8]) -> usize {
+        let joint = match self {
+            Language::Own => b'.',
+            Language::Pddl => b'-',
+        };
+        run(text, |byte| {
+            byte.is_ascii_alphanumeric() || byte == b'_' || byte == joint
+        })
+    }
+}
+
+fn number(word: &str) -> Token<'_> {
+    read_number(word).map_or(Token::Unknown, Token::Number)
 }
 
 /// Length of digits, fraction and exponent; letters that follow belong to it, so
 /// that `3x` is one unknown word and not a number beside a name.
-fn number_length(text: &str) -> usize {
-    let mut previous = ' ';
-    let end = text.find(|c: char| {
-        let signed_exponent = matches!(c, '+' | '-') && matches!(previous, 'e' | 'E');
-        previous = c;
-        !(c.is_ascii_alphanumeric() || c == '.' || c == '_' || signed_exponent)
-    });
-    end.unwrap_or(text.len())
+fn number_length(text: &[u8]) -> usize {
+    let mut previous = b' ';
+    run(text, |byte| {
+        let signed_exponent = matches!(byte, b'+' | b'-') && matches!(previous, b'e' | b'E');
+        previous = byte;
+        byte.is_ascii_alphanumeric() || byte == b'.' || byte == b'_' || signed_exponent
+    })
+}
+
+/// How many bytes at the start are such.
+fn run(text: &[u8], mut such: impl FnMut(u8) -> bool) -> usize {
+    text.iter().take_while(|byte| such(**byte)).count()
 }
 
 #[cfg(test)]

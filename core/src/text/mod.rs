@@ -3,8 +3,9 @@
 mod big;
 mod lexer;
 mod number;
+mod shortest;
 
-pub use lexer::{Lexer, Token};
+pub use lexer::{Failed, Lexer, Place, Token};
 pub use number::{read_number, write_number};
 
 use core::fmt;

@@ -5,29 +5,62 @@
 //! ones (Clinger 1990), all others a division of whole numbers.
 
 use super::big::Big;
+use super::shortest::Shortest;
 use core::fmt;
 
 /// Digits that can decide which `f64` is nearest; of those behind it only matters
 /// whether all are zero.
-const DIGITS: usize = 768;
+const DIGITS: i32 = 768;
 
 /// The significant digits of a decimal number, as `digits * 10^exponent`.
 struct Decimal<'t> {
     negative: bool,
     whole: &'t [u8],
     fraction: &'t [u8],
-    exponent: i64,
+    exponent: i32,
 }
 
-/// Writes the shortest text that reads back as `value`, without a trailing
-/// `.0`. `value` must be finite.
+/// Writes the shortest text that reads back as `value`: with a decimal point from 0.00001
+/// on and below 1e16, otherwise as `1.5e-7`. `value` must be finite.
 ///
 /// # Errors
 /// Those of `out`.
 pub fn write_number(out: &mut dyn fmt::Write, value: f64) -> fmt::Result {
-    let mut buffer = ryu::Buffer::new();
-    let text = buffer.format_finite(value);
-    out.write_str(text.strip_suffix(".0").unwrap_or(text))
+    if value.is_sign_negative() {
+        out.write_char('-')?;
+    }
+    let shortest = Shortest::of(value.abs());
+    if (-5..16).contains(&shortest.place) {
+        return write_digits(out, &shortest.digits, shortest.place);
+    }
+    write_digits(out, &shortest.digits, 0)?;
+    out.write_str(if shortest.place < 0 { "e-" } else { "e" })?;
+    let place = shortest.place.unsigned_abs();
+    for unit in [100, 10, 1] {
+        if place >= unit {
+            write_digit(out, (place / unit % 10) as u8)?;
+        }
+    }
+    Ok(())
+}
+
+/// Writes digits of which the first one has a power of ten, and zeros up to the decimal
+/// point.
+fn write_digits(out: &mut dyn fmt::Write, digits: &[u8], first: i32) -> fmt::Result {
+    let last = first + 1 - digits.len() as i32;
+    for place in (last.min(0)..=first.max(0)).rev() {
+        if place == -1 {
+            out.write_char('.')?;
+        }
+        let index = usize::try_from(first - place).ok();
+        let digit = index.and_then(|index| digits.get(index));
+        write_digit(out, digit.copied().unwrap_or(0))?;
+    }
+    Ok(())
+}
+
+fn write_digit(out: &mut dyn fmt::Write, digit: u8) -> fmt::Result {
+    out.write_char(char::from(b'0' + digit))
 }
 
 /// Reads a decimal number as the nearest `f64` (ties to even); `None` if it is none or
@@ -80,70 +113,71 @@ impl<'t> Decimal<'t> {
     }
 
     /// The power of ten of the last digit.
-    fn last_place(&self) -> i64 {
-        self.exponent.saturating_sub(self.fraction.len() as i64)
+    fn last_place(&self) -> i32 {
+        let behind = i32::try_from(self.fraction.len()).unwrap_or(i32::MAX);
+        self.exponent.saturating_sub(behind)
     }
 
     /// The value, if its digits and its power of ten are exact as `f64`: then so is
     /// their product or quotient but for one rounding.
     fn short(&self) -> Option<f64> {
-        const POWERS: i64 = 22;
-        let whole = self.digits().try_fold(0u64, |whole, digit| {
-            let longer = whole.checked_mul(10)?.checked_add(u64::from(digit))?;
-            (longer < 1 << f64::MANTISSA_DIGITS).then_some(longer)
-        })?;
-        let place = self.last_place();
-        let power = (0..place.unsigned_abs().min(23)).fold(1.0, |power, _| power * 10.0);
-        match place {
-            0..=POWERS => Some(whole as f64 * power),
-            _ if (-POWERS..0).contains(&place) => Some(whole as f64 / power),
-            _ => None,
+        let mut whole = 0;
+        for digit in self.digits() {
+            whole = 10 * whole + u64::from(digit);
+            if whole >= 1 << f64::MANTISSA_DIGITS {
+                return None;
+            }
         }
+        let place = self.last_place();
+        if place.unsigned_abs() > 22 {
+            return None;
+        }
+        let power = (0..place.unsigned_abs()).fold(1.0, |power, _| power * 10.0);
+        let whole = whole as f64;
+        Some(if place < 0 {
+            whole / power
+        } else {
+            whole * power
+        })
     }
 
     /// The value by arithmetic on whole numbers of any length that matters.
     #[inline(never)]
     fn long(&self) -> Option<f64> {
-        let zeros = self.digits().take_while(|digit| *digit == 0).count();
-        let count = self.digits().count() - zeros;
-        let place = self.last_place().saturating_add(count as i64);
+        let mut whole = Big::from(0);
+        let (mut count, mut ignored, mut more) = (0, 0, false);
+        for digit in self.digits() {
+            if count == DIGITS {
+                ignored += 1;
+                more |= digit != 0;
+            } else if count > 0 || digit > 0 {
+                whole.multiply_add(10, u32::from(digit));
+                count += 1;
+            }
+        }
+        let mut power = self.last_place().saturating_add(ignored);
         // Behind the decimal point of 0.d1 d2 d3 ..., beyond what an f64 can be.
-        match place {
+        match power.saturating_add(count) {
             _ if count == 0 => return Some(0.0),
             ..-330 => return Some(0.0),
             400.. => return None,
             _ => {}
         }
-        let mut digits = self.digits().skip(zeros);
-        let mut whole = Big::ZERO;
-        let mut deciding = digits.by_ref().take(DIGITS);
-        loop {
-            let group = deciding.by_ref().take(9);
-            let (factor, term) = group.fold((1, 0), |(factor, term), digit| {
-                (10 * factor, 10 * term + u32::from(digit))
-            });
-            if factor == 1 {
-                break;
-            }
-            whole.multiply_add(factor, term);
-        }
-        let mut power = place - count.min(DIGITS) as i64;
-        if count > DIGITS {
-            // One more digit, which says whether anything is behind.
-            whole.multiply_add(10, u32::from(digits.any(|digit| digit != 0)));
+        if more {
+            // One more digit, which says that something is behind.
+            whole.multiply_add(10, 1);
             power -= 1;
         }
-        let mut divisor = Big::ZERO;
-        divisor.multiply_add(1, 1);
+        let mut divisor = Big::from(1);
         let scaled = if power < 0 { &mut divisor } else { &mut whole };
         scaled.multiply_power(5, power.unsigned_abs());
-        let (quotient, exponent, exact) = whole.divide(divisor);
+        let (quotient, exponent, exact) = whole.divide(&mut divisor);
         assemble(quotient, power + exponent, exact)
     }
 }
 
 /// `e` or `E`, a sign and digits; nothing is zero. Too large ones stay too large.
-fn read_exponent(text: &[u8]) -> Option<i64> {
+fn read_exponent(text: &[u8]) -> Option<i32> {
     let (negative, text) = match text {
         [] => return Some(0),
         [b'e' | b'E', b'-', rest @ ..] => (true, rest),
@@ -154,8 +188,8 @@ fn read_exponent(text: &[u8]) -> Option<i64> {
     if digits.is_empty() || !rest.is_empty() {
         return None;
     }
-    let exponent = digits.iter().fold(0i64, |exponent, c| {
-        let digit = i64::from(c.wrapping_sub(b'0'));
+    let exponent = digits.iter().fold(0i32, |exponent, c| {
+        let digit = i32::from(c.wrapping_sub(b'0'));
         exponent.saturating_mul(10).saturating_add(digit)
     });
     Some(if negative { -exponent } else { exponent })
@@ -163,21 +197,19 @@ fn read_exponent(text: &[u8]) -> Option<i64> {
 
 /// The `f64` nearest to `whole * 2^exponent`, or a little more if that is not exact.
 /// `whole` has at least 63 bits.
-fn assemble(whole: u64, exponent: i64, exact: bool) -> Option<f64> {
-    const KEPT: i64 = f64::MANTISSA_DIGITS as i64;
+fn assemble(whole: u64, exponent: i32, exact: bool) -> Option<f64> {
+    const KEPT: i32 = f64::MANTISSA_DIGITS as i32;
     // The exponent of the last bit; below the normal numbers it stays.
-    let last = (exponent + 64 - i64::from(whole.leading_zeros()) - KEPT).max(-1074);
-    let dropped = u32::try_from(last - exponent).unwrap_or(0).min(126);
-    let wide = u128::from(whole) << 1 | u128::from(!exact);
-    let kept = (u128::from(whole) >> dropped) as u64;
-    // Everything behind the last bit, and half of it, one bit further to the left.
-    let behind = wide & ((1u128 << dropped << 1) - 1);
-    let half = 1u128 << dropped;
-    let up = behind > half || (behind == half && kept & 1 == 1);
-    let rounded = kept + u64::from(up);
+    let last = (exponent + 64 - whole.leading_zeros() as i32 - KEPT).max(-1074);
+    // Up to half of the last bit, and whether anything is behind that.
+    let dropped = (last - exponent).unsigned_abs() - 1;
+    let halves = whole.checked_shr(dropped).unwrap_or(0);
+    let more = !exact || halves.checked_shl(dropped) != Some(whole);
+    let kept = halves >> 1;
+    let up = halves & 1 == 1 && (more || kept & 1 == 1);
     // A carry moves on into the exponent, which is what it should do.
-    let biased = u64::try_from(last + 1074).unwrap_or(0);
-    let bits = (biased << (KEPT - 1)) + rounded;
+    let biased = (last + 1074).unsigned_abs();
+    let bits = (u64::from(biased) << (KEPT - 1)) + kept + u64::from(up);
     let value = f64::from_bits(bits);
     (biased < 2046 && value.is_finite()).then_some(value)
 }

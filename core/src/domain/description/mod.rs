@@ -4,14 +4,16 @@ mod objects;
 mod places;
 
 use super::dimension::Dimension;
-use super::expression::{Node, NodeId, copy};
+use super::expression::{Node, NodeId, copy, intern};
 use super::schema::{Attribute, Constant, Domain, Parameter, Type};
 use crate::error::Error;
-use crate::text::{Lexer, split_at_dot};
+use crate::text::{Failed, Lexer, Token, split_at_dot};
+use crc::{CRC_32_ISO_HDLC, Crc, NoTable};
 use heapless::Vec;
 
-/// Checksum that tells domain texts and saved bytes apart.
-pub(crate) const CHECKSUM: crc::Crc<u32> = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
+/// Checksum that tells domain texts and saved bytes apart; without a table, which would
+/// take a kilobyte of flash.
+pub(crate) const CHECKSUM: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC);
 
 const KEYWORDS: [&str; 22] = [
     "type",
@@ -98,7 +100,8 @@ impl<'t> Domain<'t> {
             lexer: Lexer::new(text),
             own: None,
         };
-        parser.statements()
+        let read = parser.statements();
+        parser.lexer.outcome(read)
     }
 }
 
@@ -113,8 +116,9 @@ struct DomainParser<'d, 't> {
 }
 
 impl<'t> DomainParser<'_, 't> {
-    fn statements(&mut self) -> Result<(), Error> {
-        while self.lexer.token() != crate::text::Token::End {
+    /// Each statement has a function that is never inlined: the stack holds one at a time.
+    fn statements(&mut self) -> Result<(), Failed> {
+        while self.lexer.token() != Token::End {
             if self.lexer.accept("type") {
                 self.type_statement()?;
             } else if self.lexer.accept("object") {
@@ -128,7 +132,7 @@ impl<'t> DomainParser<'_, 't> {
             } else if self.lexer.accept("point") {
                 self.point_statement()?;
             } else {
-                return Err(self.lexer.error(
+                return Err(self.lexer.fail(
                     "expected a statement: type, object, constant, parameter, shape or point",
                 ));
             }
@@ -136,31 +140,36 @@ impl<'t> DomainParser<'_, 't> {
         Ok(())
     }
 
-    fn type_statement(&mut self) -> Result<(), Error> {
-        let at = self.lexer.clone();
+    #[inline(never)]
+    fn type_statement(&mut self) -> Result<(), Failed> {
+        let at = self.lexer.place();
         let name = self.lexer.expect_name("expected the name of the type")?;
-        if name.contains('.') || KEYWORDS.contains(&name) {
-            return Err(at.error("a type has a plain name that is no word of the language"));
+        if split_at_dot(name).is_some() || KEYWORDS.contains(&name) {
+            return Err(self.lexer.fail_at(
+                at,
+                "a type has a plain name that is no word of the language",
+            ));
         }
         if self.domain.types.iter().any(|t| t.name == name) {
-            return Err(at.error("this type is declared already"));
+            return Err(self.lexer.fail_at(at, "this type is declared already"));
         }
         self.attributes(name).map(|_| ())
     }
 
     /// `{ x: length, ... }`: declares a type with these attributes.
-    fn attributes(&mut self, name: &'t str) -> Result<u8, Error> {
-        const FULL: Error = Error::CapacityExceeded("attributes of a domain");
+    fn attributes(&mut self, name: &'t str) -> Result<u8, Failed> {
         self.lexer.expect("{", "expected `{` and the attributes")?;
         let first = self.domain.attributes.len();
         while !self.lexer.accept("}") {
-            let at = self.lexer.clone();
+            let at = self.lexer.place();
             let attribute = self
                 .lexer
                 .expect_name("expected the name of an attribute or `}`")?;
             let own = self.domain.attributes.iter().skip(first);
-            if attribute.contains('.') || own.clone().any(|a| a.name == attribute) {
-                return Err(at.error("attributes have plain names, each once"));
+            if split_at_dot(attribute).is_some() || own.clone().any(|a| a.name == attribute) {
+                return Err(self
+                    .lexer
+                    .fail_at(at, "attributes have plain names, each once"));
             }
             self.lexer.expect(":", "expected `:` and a dimension")?;
             let dimension = self.dimension()?;
@@ -168,7 +177,10 @@ impl<'t> DomainParser<'_, 't> {
                 name: attribute,
                 dimension,
             };
-            self.domain.attributes.push(attribute).map_err(|_| FULL)?;
+            self.domain
+                .attributes
+                .push(attribute)
+                .map_err(|_| self.lexer.full("attributes of a domain"))?;
             if !self.lexer.accept(",") {
                 self.lexer.expect("}", "expected `,` or `}`")?;
                 break;
@@ -176,21 +188,22 @@ impl<'t> DomainParser<'_, 't> {
         }
         let kind = Type {
             name,
-            first: small(first)?,
-            count: small(self.domain.attributes.len() - first)?,
+            first: self.small(first)?,
+            count: self.small(self.domain.attributes.len() - first)?,
         };
-        let index = small(self.domain.types.len())?;
+        let index = self.small(self.domain.types.len())?;
         self.domain
             .types
             .push(kind)
-            .map_err(|_| Error::CapacityExceeded("types of a domain"))?;
+            .map_err(|_| self.lexer.full("types of a domain"))?;
         Ok(index)
     }
 
-    fn constant_statement(&mut self) -> Result<(), Error> {
+    #[inline(never)]
+    fn constant_statement(&mut self) -> Result<(), Failed> {
         let name = self.new_name("expected the name of the constant", true)?;
         self.lexer.expect("=", "expected `=` and a value")?;
-        let at = self.lexer.clone();
+        let at = self.lexer.place();
         let value = self.number()?;
         self.lexer
             .expect(":", "expected `:` and a dimension, as in `= 3.0: length`")?;
@@ -198,7 +211,9 @@ impl<'t> DomainParser<'_, 't> {
         if let Some(measured) = value.1
             && measured != dimension
         {
-            return Err(at.error("the value has another dimension than the constant"));
+            return Err(self
+                .lexer
+                .fail_at(at, "the value has another dimension than the constant"));
         }
         let constant = Constant {
             name,
@@ -208,10 +223,11 @@ impl<'t> DomainParser<'_, 't> {
         self.domain
             .constants
             .push(constant)
-            .map_err(|_| Error::CapacityExceeded("constants of a domain"))
+            .map_err(|_| self.lexer.full("constants of a domain"))
     }
 
-    fn parameter_statement(&mut self) -> Result<(), Error> {
+    #[inline(never)]
+    fn parameter_statement(&mut self) -> Result<(), Failed> {
         let name = self.new_name("expected the name of the parameter", false)?;
         self.lexer
             .expect("in", "expected `in` and a range, as in `in [0, 1]`")?;
@@ -220,10 +236,12 @@ impl<'t> DomainParser<'_, 't> {
         let (low, low_dimension) = self.number()?;
         self.lexer
             .expect(",", "expected `,` and the largest value")?;
-        let at = self.lexer.clone();
+        let at = self.lexer.place();
         let (high, high_dimension) = self.number()?;
         if low >= high {
-            return Err(at.error("the largest value must be above the smallest"));
+            return Err(self
+                .lexer
+                .fail_at(at, "the largest value must be above the smallest"));
         }
         self.lexer.expect("]", "expected `]`")?;
         let measured = low_dimension.or(high_dimension);
@@ -237,7 +255,9 @@ impl<'t> DomainParser<'_, 't> {
             .flatten()
             .any(|d| *d != dimension)
         {
-            return Err(at.error("the range has another dimension than the parameter"));
+            return Err(self
+                .lexer
+                .fail_at(at, "the range has another dimension than the parameter"));
         }
         let parameter = Parameter {
             name,
@@ -248,22 +268,31 @@ impl<'t> DomainParser<'_, 't> {
         self.domain
             .parameters
             .push(parameter)
-            .map_err(|_| Error::CapacityExceeded("parameters of an action"))
+            .map_err(|_| self.lexer.full("parameters of an action"))
     }
 
-    fn dimension(&mut self) -> Result<Dimension, Error> {
+    fn dimension(&mut self) -> Result<Dimension, Failed> {
         const WHAT: &str = "expected a dimension: length, angle, area, flag or none";
-        let at = self.lexer.clone();
+        let at = self.lexer.place();
         let word = self.lexer.expect_name(WHAT)?;
-        Dimension::from_name(word).ok_or_else(|| at.error(WHAT))
+        Dimension::from_name(word).ok_or_else(|| self.lexer.fail_at(at, WHAT))
     }
 
     /// An expression over what is declared so far, without points.
-    fn expression(&mut self) -> Result<NodeId, Error> {
-        let at = self.lexer.clone();
+    fn expression(&mut self) -> Result<NodeId, Failed> {
+        self.terms(false)
+    }
+
+    /// An expression, or only one factor.
+    fn terms(&mut self, factor: bool) -> Result<NodeId, Failed> {
+        let at = self.lexer.place();
         let mut nodes: Vec<Node, MAX_TERMS> = Vec::new();
         let mut parser = self.domain.parser(&mut nodes, self.own);
-        let id = parser.expression(&mut self.lexer)?;
+        let id = if factor {
+            parser.single(&mut self.lexer)?
+        } else {
+            parser.expression(&mut self.lexer)?
+        };
         let simple = |n: &Node| {
             !matches!(
                 n,
@@ -276,16 +305,22 @@ impl<'t> DomainParser<'_, 't> {
             )
         };
         if !nodes.iter().all(simple) {
-            return Err(
-                at.error("offsets, sizes and values cannot refer to points, areas, min or max")
-            );
+            return Err(self.lexer.fail_at(
+                at,
+                "offsets, sizes and values cannot refer to points, areas, min or max",
+            ));
         }
-        copy(&nodes, id, &mut self.domain.nodes)
+        copy(&nodes, id, &mut self.domain.nodes).map_err(|full| self.lexer.note(full.into()))
+    }
+
+    /// Adds a term to those of the domain.
+    fn intern(&mut self, node: Node) -> Result<NodeId, Failed> {
+        intern(&mut self.domain.nodes, node).map_err(|full| self.lexer.note(full.into()))
     }
 
     /// The value of an expression over constants, and what it measures.
-    fn number(&mut self) -> Result<(f64, Option<Dimension>), Error> {
-        let at = self.lexer.clone();
+    fn number(&mut self) -> Result<(f64, Option<Dimension>), Failed> {
+        let at = self.lexer.place();
         let kept = self.domain.nodes.len();
         let id = self.expression()?;
         let dimension = self.domain.dimension(&self.domain.nodes, id);
@@ -293,23 +328,27 @@ impl<'t> DomainParser<'_, 't> {
         self.domain.nodes.truncate(kept);
         match value {
             Some(value) if value.is_finite() => Ok((value, dimension)),
-            Some(_) => Err(at.error("the value is too large")),
-            None => Err(at.error("the value must be made of numbers and constants")),
+            Some(_) => Err(self.lexer.fail_at(at, "the value is too large")),
+            None => Err(self
+                .lexer
+                .fail_at(at, "the value must be made of numbers and constants")),
         }
     }
 
     /// A name that is not used yet for anything an expression could mean.
-    fn new_name(&mut self, what: &'static str, dotted: bool) -> Result<&'t str, Error> {
-        let at = self.lexer.clone();
+    fn new_name(&mut self, what: &'static str, dotted: bool) -> Result<&'t str, Failed> {
+        let at = self.lexer.place();
         let name = self.lexer.expect_name(what)?;
         if KEYWORDS.contains(&name) {
-            return Err(at.error("this is a word of the language"));
+            return Err(self.lexer.fail_at(at, "this is a word of the language"));
         }
         // It begins with no dot, or it would be no name.
         let next = name.bytes().skip(1).chain([b'.']);
         let empty_part = name.bytes().zip(next).any(|pair| pair == (b'.', b'.'));
         if empty_part || (!dotted && split_at_dot(name).is_some()) {
-            return Err(at.error("a dot is not allowed here in a name"));
+            return Err(self
+                .lexer
+                .fail_at(at, "a dot is not allowed here in a name"));
         }
         let domain = &self.domain;
         let taken = domain.find_object(name).is_some()
@@ -318,14 +357,14 @@ impl<'t> DomainParser<'_, 't> {
             || domain.find_parameter(name).is_some()
             || domain.find_slot(name).is_some();
         if taken {
-            return Err(at.error("this name is declared already"));
+            return Err(self.lexer.fail_at(at, "this name is declared already"));
         }
         Ok(name)
     }
-}
 
-fn small(index: usize) -> Result<u8, Error> {
-    u8::try_from(index).map_err(|_| Error::CapacityExceeded("numbers of an instance"))
+    fn small(&mut self, index: usize) -> Result<u8, Failed> {
+        u8::try_from(index).map_err(|_| self.lexer.full("numbers of an instance"))
+    }
 }
 
 #[cfg(test)]
@@ -347,6 +386,11 @@ mod tests {
             ("constant c = 1 + : none", 1, 18),
             ("constant c = 1: none constant c = 2: none", 1, 31),
             ("parameter mu in [0, 1] point p = world + (mu, 0)", 1, 43),
+            (
+                "object a { x: length, y: length, theta: angle }\npoint p = a + (1, 0)\npoint q = world turned p.theta",
+                3,
+                24,
+            ),
             ("banana", 1, 1),
         ];
         for (text, line, column) in cases {

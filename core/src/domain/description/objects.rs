@@ -1,109 +1,121 @@
 //! Statements that declare objects, single ones and groups.
 
-use super::{DomainParser, small};
-use crate::domain::schema::{MAX_OBJECTS, PoseSlots};
+use super::DomainParser;
+use crate::domain::schema::PoseSlots;
 use crate::domain::{Base, Group, Member, Object};
-use crate::error::Error;
-use crate::text::Token;
-use heapless::Vec;
-
-const FULL: Error = Error::CapacityExceeded("objects of a domain");
-
-/// A name that is declared, and how many members a group of that name has.
-type Named<'t> = (&'t str, Option<u8>);
+use crate::text::{Failed, Token};
 
 impl<'t> DomainParser<'_, 't> {
-    pub(super) fn object_statement(&mut self) -> Result<(), Error> {
-        let mut all: Vec<Named<'t>, MAX_OBJECTS> = Vec::new();
+    #[inline(never)]
+    pub(super) fn object_statement(&mut self) -> Result<(), Failed> {
+        let first = self.domain.objects.len();
         loop {
             let name = self.new_name("expected the name of the object", false)?;
-            if all.iter().any(|(other, _)| *other == name) {
-                return Err(self.lexer.error("this object was just declared"));
+            match self.member_count()? {
+                None => self.object(name, None)?,
+                Some(count) => self.group(name, count)?,
             }
-            all.push((name, self.member_count()?)).map_err(|_| FULL)?;
             if !self.lexer.accept(",") {
                 break;
             }
         }
-        let at = self.lexer.clone();
-        let type_index = if self.lexer.accept(":") {
-            let at = self.lexer.clone();
-            let kind = self.lexer.expect_name("expected the name of a type")?;
-            let found = self.domain.types.iter().position(|t| t.name == kind);
-            small(found.ok_or_else(|| at.error("unknown type"))?)?
-        } else {
-            match all.as_slice() {
-                [(name, _)] => self.attributes(name)?,
-                _ => return Err(at.error("expected `:` and the type of these objects")),
-            }
-        };
+        let at = self.lexer.place();
+        let type_index = self.type_of_objects(first)?;
+        let mut own = self.domain.objects.iter().skip(first);
         let absent = self.domain.attributes_of(type_index).is_empty();
-        if absent && all.iter().any(|(_, count)| count.is_some()) {
-            return Err(at.error("members need attributes, which tell those that are absent"));
+        if absent && own.any(|object| object.member.is_some()) {
+            let what = "members need attributes, which tell those that are absent";
+            return Err(self.lexer.fail_at(at, what));
         }
-        all.iter()
-            .try_for_each(|named| self.objects(*named, type_index))
+        (first..self.domain.objects.len()).try_for_each(|index| self.describe(index, type_index))
+    }
+
+    /// `: type`, or the attributes of the one object that was declared.
+    fn type_of_objects(&mut self, first: usize) -> Result<u8, Failed> {
+        if self.lexer.accept(":") {
+            let at = self.lexer.place();
+            let name = self.lexer.expect_name("expected the name of a type")?;
+            let found = self.domain.types.iter().position(|t| t.name == name);
+            let found = found.ok_or_else(|| self.lexer.fail_at(at, "unknown type"))?;
+            return self.small(found);
+        }
+        let own = self.domain.objects.get(first..).unwrap_or_default();
+        match own {
+            [first, others @ ..] if others.iter().all(|o| o.name == first.name) => {
+                self.attributes(first.name)
+            }
+            _ => Err(self
+                .lexer
+                .fail("expected `:` and the type of these objects")),
+        }
     }
 
     /// `[ number ]` behind the name of a group.
-    fn member_count(&mut self) -> Result<Option<u8>, Error> {
-        const WHAT: &str = "expected how many members the group has, a whole number from 1";
+    fn member_count(&mut self) -> Result<Option<u8>, Failed> {
         if !self.lexer.accept("[") {
             return Ok(None);
         }
-        let at = self.lexer.clone();
-        let count = match self.lexer.advance() {
-            Token::Number(number) if number >= 1.0 => number as u64,
-            _ => return Err(at.error(WHAT)),
-        };
-        if at.token() != Token::Number(count as f64) {
-            return Err(at.error(WHAT));
-        }
-        self.lexer.expect("]", "expected `]`")?;
-        u8::try_from(count).map(Some).map_err(|_| FULL)
-    }
-
-    /// Declares an object, or all members of a group, and their poses as points.
-    fn objects(&mut self, (name, count): Named<'t>, type_index: u8) -> Result<(), Error> {
-        let first_object = small(self.domain.objects.len())?;
-        let group = match count {
-            None => None,
-            Some(count) => {
-                let group = Group {
-                    first_object,
-                    count,
-                };
-                let index = small(self.domain.groups.len())?;
-                let pushed = self.domain.groups.push(group);
-                pushed.map_err(|_| Error::CapacityExceeded("groups of a domain"))?;
-                Some(index)
+        let count = match self.lexer.token() {
+            Token::Number(number) if number >= 1.0 && number as u64 as f64 == number => number,
+            _ => {
+                let what = "expected how many members the group has, a whole number from 1";
+                return Err(self.lexer.fail(what));
             }
         };
-        for index in 0..count.unwrap_or(1) {
-            self.object(name, type_index, group.map(|group| Member { group, index }))?;
-        }
-        if let [Some(_), Some(_), _] = self.domain.pose_slots(first_object).position {
-            let base = Base::Object(first_object);
+        self.lexer.advance();
+        self.lexer.expect("]", "expected `]`")?;
+        u8::try_from(count as u64)
+            .map(Some)
+            .map_err(|_| self.full())
+    }
+
+    /// Declares all members of a group, still without attributes.
+    fn group(&mut self, name: &'t str, count: u8) -> Result<(), Failed> {
+        let first_object = self.small(self.domain.objects.len())?;
+        let group = self.small(self.domain.groups.len())?;
+        let declared = Group {
+            first_object,
+            count,
+        };
+        let pushed = self.domain.groups.push(declared);
+        pushed.map_err(|_| self.lexer.full("groups of a domain"))?;
+        (0..count).try_for_each(|index| self.object(name, Some(Member { group, index })))
+    }
+
+    /// Declares an object, still without attributes.
+    fn object(&mut self, name: &'t str, member: Option<Member>) -> Result<(), Failed> {
+        let object = Object {
+            name,
+            type_index: 0,
+            member,
+            first_slot: 0,
+            pose: PoseSlots::default(),
+        };
+        let pushed = self.domain.objects.push(object);
+        pushed.map_err(|_| self.full())
+    }
+
+    fn full(&mut self) -> Failed {
+        self.lexer.full("objects of a domain")
+    }
+
+    /// Gives an object its attributes, and declares its pose as a point; with that of
+    /// the first member of a group those of all others.
+    fn describe(&mut self, index: usize, type_index: u8) -> Result<(), Failed> {
+        let first_slot = self.domain.slots;
+        let attributes = self.domain.attributes_of(type_index);
+        let pose = PoseSlots::find(attributes, first_slot);
+        self.domain.slots = self.small(usize::from(first_slot) + attributes.len())?;
+        let Some(object) = self.domain.objects.get_mut(index) else {
+            return Ok(());
+        };
+        (object.type_index, object.first_slot, object.pose) = (type_index, first_slot, pose);
+        let placed = matches!(pose.position, [Some(_), Some(_), _]);
+        if placed && object.member.is_none_or(|member| member.index == 0) {
+            let name = object.name;
+            let base = Base::Object(self.small(index)?);
             self.point(name, "", base, [None; 3], [None; 3])?;
         }
         Ok(())
-    }
-
-    fn object(
-        &mut self,
-        name: &'t str,
-        type_index: u8,
-        member: Option<Member>,
-    ) -> Result<(), Error> {
-        let attributes = self.domain.attributes_of(type_index);
-        let object = Object {
-            name,
-            type_index,
-            member,
-            first_slot: self.domain.slots,
-            pose: PoseSlots::find(attributes, self.domain.slots),
-        };
-        self.domain.slots = small(usize::from(self.domain.slots) + attributes.len())?;
-        self.domain.objects.push(object).map_err(|_| FULL)
     }
 }

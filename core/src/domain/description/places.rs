@@ -1,13 +1,9 @@
 //! Statements that place things: shapes and points.
 
-use super::{DomainParser, MAX_TERMS};
-use crate::domain::expression::node_at;
-use crate::domain::{
-    Base, Dependence, Dimension, Member, Node, NodeId, Point, Shape, copy, intern,
-};
-use crate::error::Error;
-use crate::text::{Lexer, split_at_dot};
-use heapless::Vec;
+use super::DomainParser;
+use crate::domain::expression::{TermError, intern, node_at};
+use crate::domain::{Base, Dependence, Dimension, Domain, Member, Node, NodeId, Point, Shape};
+use crate::text::{Failed, Place, split_at_dot};
 
 /// Where a shape starts, has its middle and ends along an axis of its object.
 #[derive(Clone, Copy)]
@@ -18,28 +14,31 @@ struct Extent {
 }
 
 impl<'t> DomainParser<'_, 't> {
-    pub(super) fn shape_statement(&mut self) -> Result<(), Error> {
-        let at = self.lexer.clone();
+    #[inline(never)]
+    pub(super) fn shape_statement(&mut self) -> Result<(), Failed> {
+        let at = self.lexer.place();
         let name = self.lexer.expect_name("expected the name of an object")?;
         let object = self
             .domain
             .find_object(name)
-            .ok_or_else(|| at.error("unknown object"))?;
+            .ok_or_else(|| self.lexer.fail_at(at, "unknown object"))?;
         if self.domain.find_point(name).is_none() {
-            return Err(at.error("an object with a shape needs the attributes x and y"));
+            return Err(self
+                .lexer
+                .fail_at(at, "an object with a shape needs the attributes x and y"));
         }
         if self.domain.find_shape(name).is_some() {
-            return Err(at.error("this object has a shape already"));
+            return Err(self.lexer.fail_at(at, "this object has a shape already"));
         }
         self.lexer.expect("=", "expected `=` and a shape")?;
         let (shape, extents) = if self.lexer.accept("circle") {
-            let [radius] = self.sizes()?;
+            let [radius, _] = self.sizes(1)?;
             let extent = self.centred(radius)?;
             (Shape::Circle { radius }, [extent, extent])
         } else {
             self.lexer
                 .expect("rectangle", "expected `circle` or `rectangle`")?;
-            let [width, height] = self.sizes()?;
+            let [width, height] = self.sizes(2)?;
             let (half_width, half_height) = (self.half(width)?, self.half(height)?);
             let extents = if self.lexer.accept("centred") {
                 [self.centred(half_width)?, self.centred(half_height)?]
@@ -56,33 +55,36 @@ impl<'t> DomainParser<'_, 't> {
         self.domain
             .shapes
             .push((object, shape))
-            .map_err(|_| Error::CapacityExceeded("shapes of a domain"))
+            .map_err(|_| self.lexer.full("shapes of a domain"))
     }
 
     /// The points in the middle of the sides of a shape, and its centre where
     /// that is not the object's position.
-    fn key_points(&mut self, name: &'t str, object: u8, [x, y]: [Extent; 2]) -> Result<(), Error> {
-        let base = Base::Object(object);
-        let mut add = |part, x, y| self.point(name, part, base, [None; 3], [x, y, None]);
-        add("left", x.low, y.middle)?;
-        add("right", x.high, y.middle)?;
-        add("bottom", x.middle, y.low)?;
-        add("top", x.middle, y.high)?;
-        if x.middle.is_some() {
-            add("centre", x.middle, y.middle)?;
+    fn key_points(&mut self, name: &'t str, object: u8, [x, y]: [Extent; 2]) -> Result<(), Failed> {
+        let sides = [
+            ("left", x.low, y.middle),
+            ("right", x.high, y.middle),
+            ("bottom", x.middle, y.low),
+            ("top", x.middle, y.high),
+            ("centre", x.middle, y.middle),
+        ];
+        let count = if x.middle.is_some() { 5 } else { 4 };
+        for (part, x, y) in sides.into_iter().take(count) {
+            let offset = [x, y, None];
+            self.point(name, part, Base::Object(object), [None; 3], offset)?;
         }
         Ok(())
     }
 
-    /// `( expr, ... )`: the sizes of a shape.
-    fn sizes<const N: usize>(&mut self) -> Result<[NodeId; N], Error> {
-        let mut sizes = [NodeId::default(); N];
+    /// `( expr, ... )`: the one or two sizes of a shape.
+    fn sizes(&mut self, count: usize) -> Result<[NodeId; 2], Failed> {
+        let mut sizes = [NodeId::default(); 2];
         let mut separator = "(";
-        for size in &mut sizes {
+        for size in sizes.iter_mut().take(count) {
             self.lexer
                 .expect(separator, "expected the sizes of the shape in brackets")?;
             separator = ",";
-            let at = self.lexer.clone();
+            let at = self.lexer.place();
             *size = self.expression()?;
             let nodes = &self.domain.nodes;
             let fits = matches!(
@@ -90,7 +92,9 @@ impl<'t> DomainParser<'_, 't> {
                 None | Some(Dimension::Length)
             ) && self.domain.dependence(nodes, *size) == Dependence::Constant;
             if !fits {
-                return Err(at.error("a size is a length made of numbers and constants"));
+                return Err(self
+                    .lexer
+                    .fail_at(at, "a size is a length made of numbers and constants"));
             }
         }
         self.lexer
@@ -98,11 +102,11 @@ impl<'t> DomainParser<'_, 't> {
         Ok(sizes)
     }
 
-    fn half(&mut self, size: NodeId) -> Result<NodeId, Error> {
+    fn half(&mut self, size: NodeId) -> Result<NodeId, Failed> {
         self.scaled(0.5, size)
     }
 
-    fn centred(&mut self, half: NodeId) -> Result<Extent, Error> {
+    fn centred(&mut self, half: NodeId) -> Result<Extent, Failed> {
         Ok(Extent {
             low: Some(self.scaled(-1.0, half)?),
             middle: None,
@@ -110,20 +114,18 @@ impl<'t> DomainParser<'_, 't> {
         })
     }
 
-    fn scaled(&mut self, factor: f64, size: NodeId) -> Result<NodeId, Error> {
+    fn scaled(&mut self, factor: f64, size: NodeId) -> Result<NodeId, Failed> {
         let whole = self.domain.constant_value(&self.domain.nodes, size);
-        intern(
-            &mut self.domain.nodes,
-            Node::Number(factor * whole.unwrap_or(0.0)),
-        )
+        self.intern(Node::Number(factor * whole.unwrap_or(0.0)))
     }
 
-    pub(super) fn point_statement(&mut self) -> Result<(), Error> {
+    #[inline(never)]
+    pub(super) fn point_statement(&mut self) -> Result<(), Failed> {
         let name = self.new_name("expected the name of the point", true)?;
         let (owner, part) = split_at_dot(name).unwrap_or((name, ""));
         self.lexer
             .expect("=", "expected `=` and what the point is placed in")?;
-        let frame = self.lexer.clone();
+        let frame = self.lexer.place();
         let base = self.frame()?;
         self.own = self.member(base).map(|first| first.group);
         let turn = if self.lexer.accept("turned") {
@@ -137,43 +139,50 @@ impl<'t> DomainParser<'_, 't> {
             [None; 3]
         };
         if self.own.take().is_some() && self.is_sampled(base, turn, offset) {
-            return Err(
-                frame.error("a point that moves with a parameter cannot be placed in a group")
-            );
+            return Err(self.lexer.fail_at(
+                frame,
+                "a point that moves with a parameter cannot be placed in a group",
+            ));
         }
         self.point(owner, part, base, turn, offset)
     }
 
-    fn frame(&mut self) -> Result<Base, Error> {
+    fn frame(&mut self) -> Result<Base, Failed> {
         if self.lexer.accept("world") {
             return Ok(Base::World);
         }
-        let at = self.lexer.clone();
+        let at = self.lexer.place();
         let name = self
             .lexer
             .expect_name("expected `world`, an object or an earlier point")?;
         let point = self.domain.find_point(name).map(Base::Point);
-        point.ok_or_else(|| at.error("no object with x and y and no earlier point has this name"))
+        point.ok_or_else(|| {
+            self.lexer.fail_at(
+                at,
+                "no object with x and y and no earlier point has this name",
+            )
+        })
     }
 
-    fn turn(&mut self) -> Result<[Option<NodeId>; 3], Error> {
-        let bracket = self.lexer.clone();
+    fn turn(&mut self) -> Result<[Option<NodeId>; 3], Failed> {
         if self.lexer.accept("(") {
             let yaw = self.component(Dimension::Angle)?;
+            let (mut pitch, mut roll) = (None, None);
             if self.lexer.accept(",") {
-                let pitch = self.component(Dimension::Angle)?;
+                pitch = self.component(Dimension::Angle)?;
                 self.lexer.expect(",", "expected `,` and the roll")?;
-                let roll = self.component(Dimension::Angle)?;
-                self.lexer.expect(")", "expected `)`")?;
-                return Ok([yaw, pitch, roll]);
+                roll = self.component(Dimension::Angle)?;
             }
-            self.lexer = bracket;
+            self.lexer.expect(")", "expected `)`")?;
+            return Ok([yaw, pitch, roll]);
         }
-        let yaw = self.factor(Dimension::Angle)?;
+        let at = self.lexer.place();
+        let id = self.terms(true)?;
+        let yaw = self.checked_component(at, id, Dimension::Angle)?;
         Ok([yaw, None, None])
     }
 
-    fn offset(&mut self) -> Result<[Option<NodeId>; 3], Error> {
+    fn offset(&mut self) -> Result<[Option<NodeId>; 3], Failed> {
         self.lexer
             .expect("(", "expected `(` and the offset along each axis")?;
         let x = self.component(Dimension::Length)?;
@@ -190,40 +199,35 @@ impl<'t> DomainParser<'_, 't> {
     }
 
     /// A component of a turn or an offset; `None` for a plain zero.
-    fn component(&mut self, dimension: Dimension) -> Result<Option<NodeId>, Error> {
-        let at = self.lexer.clone();
+    fn component(&mut self, dimension: Dimension) -> Result<Option<NodeId>, Failed> {
+        let at = self.lexer.place();
         let id = self.expression()?;
-        self.checked_component(&at, id, dimension)
-    }
-
-    fn factor(&mut self, dimension: Dimension) -> Result<Option<NodeId>, Error> {
-        let at = self.lexer.clone();
-        let mut nodes: Vec<Node, MAX_TERMS> = Vec::new();
-        let mut parser = self.domain.parser(&mut nodes, self.own);
-        let id = parser.single(&mut self.lexer)?;
-        let id = copy(&nodes, id, &mut self.domain.nodes)?;
-        self.checked_component(&at, id, dimension)
+        self.checked_component(at, id, dimension)
     }
 
     /// Checks what a component measures, and folds one that is constant: a scene
     /// evaluates it for every instance.
     fn checked_component(
         &mut self,
-        at: &Lexer<'t>,
+        at: Place,
         id: NodeId,
         dimension: Dimension,
-    ) -> Result<Option<NodeId>, Error> {
+    ) -> Result<Option<NodeId>, Failed> {
         let nodes = &self.domain.nodes;
         match self.domain.dimension(nodes, id) {
             None => {}
             Some(found) if found == dimension => {}
             // A plain ratio cannot place anything: it must scale a length.
-            Some(_) => return Err(at.error("an offset must be a length and a turn an angle")),
+            Some(_) => {
+                return Err(self
+                    .lexer
+                    .fail_at(at, "an offset must be a length and a turn an angle"));
+            }
         }
         match self.domain.constant_value(nodes, id) {
             None => Ok(Some(id)),
             Some(0.0) => Ok(None),
-            Some(value) => intern(&mut self.domain.nodes, Node::Number(value)).map(Some),
+            Some(value) => self.intern(Node::Number(value)).map(Some),
         }
     }
 
@@ -236,13 +240,14 @@ impl<'t> DomainParser<'_, 't> {
         base: Base,
         turn: [Option<NodeId>; 3],
         offset: [Option<NodeId>; 3],
-    ) -> Result<(), Error> {
+    ) -> Result<(), Failed> {
         let taken = |p: &Point<'_>| p.owner == owner && p.part == part;
         if self.domain.points.iter().any(taken) {
-            return Err(self.lexer.error("this point is declared already"));
+            return Err(self.lexer.fail("this point is declared already"));
         }
         let first = self.member(base);
         let count = first.map_or(1, |m| self.domain.members(m.group).len());
+        let sampled = self.is_sampled(base, turn, offset);
         for index in (0u8..).take(count) {
             let point = Point {
                 owner,
@@ -252,15 +257,13 @@ impl<'t> DomainParser<'_, 't> {
                     Base::Object(object) => Base::Object(object.saturating_add(index)),
                     Base::Point(point) => Base::Point(point.saturating_add(index)),
                 },
-                turn: self.components_of_member(turn, index)?,
-                offset: self.components_of_member(offset, index)?,
-                sampled: self.is_sampled(base, turn, offset),
+                turn: self.of_member(turn, index)?,
+                offset: self.of_member(offset, index)?,
+                sampled,
                 member: first.map(|m| Member { index, ..m }),
             };
-            self.domain
-                .points
-                .push(point)
-                .map_err(|_| Error::CapacityExceeded("points of a domain"))?;
+            let pushed = self.domain.points.push(point);
+            pushed.map_err(|_| self.lexer.full("points of a domain"))?;
         }
         Ok(())
     }
@@ -290,26 +293,27 @@ impl<'t> DomainParser<'_, 't> {
     }
 
     /// The components of a point of the first member, for another member.
-    fn components_of_member(
+    fn of_member(
         &mut self,
-        [x, y, z]: [Option<NodeId>; 3],
+        mut components: [Option<NodeId>; 3],
         index: u8,
-    ) -> Result<[Option<NodeId>; 3], Error> {
-        let mut moved = |id: Option<NodeId>| id.map(|id| self.of_member(id, index)).transpose();
-        Ok([moved(x)?, moved(y)?, moved(z)?])
+    ) -> Result<[Option<NodeId>; 3], Failed> {
+        for id in components.iter_mut().flatten() {
+            let moved = self.domain.of_member(*id, index);
+            *id = moved.map_err(|full| self.lexer.note(full.into()))?;
+        }
+        Ok(components)
     }
+}
 
-    fn of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, Error> {
-        let term = match node_at(&self.domain.nodes, id)? {
-            Node::Sum(a, b) => Node::Sum(self.of_member(a, index)?, self.of_member(b, index)?),
-            Node::Difference(a, b) => {
-                Node::Difference(self.of_member(a, index)?, self.of_member(b, index)?)
-            }
-            Node::Product(a, b) => {
-                Node::Product(self.of_member(a, index)?, self.of_member(b, index)?)
-            }
-            leaf => self.domain.for_member(leaf, index),
+impl Domain<'_> {
+    /// A term about the first member of a group, for another member.
+    fn of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, TermError> {
+        let node = node_at(&self.nodes, id)?;
+        let term = match node.operands() {
+            Some((a, b, make)) => make(self.of_member(a, index)?, self.of_member(b, index)?),
+            None => self.for_member(node, index),
         };
-        intern(&mut self.domain.nodes, term)
+        intern(&mut self.nodes, term)
     }
 }

@@ -9,7 +9,7 @@ use super::dimension::Dimension;
 use super::group::{Extreme, Relation};
 use super::schema::Domain;
 use crate::error::Error;
-use crate::text::{Lexer, write_number};
+use crate::text::{Failed, Lexer, write_number};
 use core::fmt;
 use heapless::VecView;
 use parser::ExpressionParser;
@@ -31,6 +31,16 @@ pub enum Coordinate {
     Theta,
 }
 
+impl Coordinate {
+    /// All of them, each with its name behind that of the point.
+    const NAMED: [(&str, Coordinate); 4] = [
+        ("x", Coordinate::X),
+        ("y", Coordinate::Y),
+        ("z", Coordinate::Z),
+        ("theta", Coordinate::Theta),
+    ];
+}
+
 /// How far apart two points are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
@@ -42,6 +52,29 @@ pub enum Metric {
     Z,
     /// The length of the straight line between them, in 2D or 3D.
     Straight,
+}
+
+impl Metric {
+    /// All of them, each with the name of its function.
+    const NAMED: [(&str, Metric); 4] = [
+        ("dist_x", Metric::X),
+        ("dist_y", Metric::Y),
+        ("dist_z", Metric::Z),
+        ("dist", Metric::Straight),
+    ];
+}
+
+/// The value with this name.
+fn named<T: Copy>(all: &[(&str, T)], name: &str) -> Option<T> {
+    let mut all = all.iter();
+    all.find(|(own, _)| *own == name).map(|(_, value)| *value)
+}
+
+/// The name of a value.
+fn name_of<T: PartialEq>(all: &[(&'static str, T)], value: T) -> &'static str {
+    let mut all = all.iter();
+    all.find(|(_, own)| *own == value)
+        .map_or("?", |(name, _)| name)
 }
 
 /// One term. Indices of constants, attributes, points and shapes refer to the
@@ -92,20 +125,39 @@ pub enum Dependence {
 /// Deepest nesting of an expression, so that walking one has bounded stack.
 pub const MAX_DEPTH: u8 = 12;
 
+/// Why a list of terms is of no use; small, because expressions are walked recursively.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TermError {
+    /// A list is full.
+    Full,
+    /// A term is not in its list.
+    Missing,
+}
+
+impl From<TermError> for Error {
+    fn from(error: TermError) -> Error {
+        match error {
+            TermError::Full => Error::CapacityExceeded("terms of expressions"),
+            TermError::Missing => Error::InvalidArgument("an expression refers to a missing term"),
+        }
+    }
+}
+
 /// Appends a node to a list, or finds it there.
 ///
 /// # Errors
-/// [`Error::CapacityExceeded`] if the list is full.
-pub(crate) fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, Error> {
-    const FULL: Error = Error::CapacityExceeded("terms of expressions");
+/// [`TermError::Full`].
+pub(crate) fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, TermError> {
     let place = match nodes.iter().position(|n| *n == node) {
         Some(place) => place,
         None => {
-            nodes.push(node).map_err(|_| FULL)?;
+            nodes.push(node).map_err(|_| TermError::Full)?;
             nodes.len() - 1
         }
     };
-    u16::try_from(place).map(NodeId).map_err(|_| FULL)
+    u16::try_from(place)
+        .map(NodeId)
+        .map_err(|_| TermError::Full)
 }
 
 /// Whether two expressions, each in a list of its own, are the same.
@@ -123,24 +175,46 @@ pub(crate) fn is_same(nodes: &[Node], id: NodeId, others: &[Node], other: NodeId
 /// Copies an expression from one list into another.
 ///
 /// # Errors
-/// [`Error::CapacityExceeded`] if the target is full.
-pub(crate) fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<NodeId, Error> {
-    let node = match node_at(from, id)? {
-        Node::Sum(a, b) => Node::Sum(copy(from, a, to)?, copy(from, b, to)?),
-        Node::Difference(a, b) => Node::Difference(copy(from, a, to)?, copy(from, b, to)?),
-        Node::Product(a, b) => Node::Product(copy(from, a, to)?, copy(from, b, to)?),
-        leaf => leaf,
+/// [`TermError`].
+pub(crate) fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<NodeId, TermError> {
+    let node = node_at(from, id)?;
+    let node = match node.operands() {
+        Some((a, b, make)) => make(copy(from, a, to)?, copy(from, b, to)?),
+        None => node,
     };
     intern(to, node)
 }
 
-pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, Error> {
+pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, TermError> {
     nodes
         .get(usize::from(id.0))
         .copied()
-        .ok_or(Error::InvalidArgument(
-            "an expression refers to a missing term",
-        ))
+        .ok_or(TermError::Missing)
+}
+
+/// Makes a term of two operands.
+type Operation = fn(NodeId, NodeId) -> Node;
+
+impl Node {
+    /// The operands of a sum, difference or product, and what makes one of others.
+    pub(super) fn operands(self) -> Option<(NodeId, NodeId, Operation)> {
+        match self {
+            Node::Sum(a, b) => Some((a, b, Node::Sum)),
+            Node::Difference(a, b) => Some((a, b, Node::Difference)),
+            Node::Product(a, b) => Some((a, b, Node::Product)),
+            _ => None,
+        }
+    }
+
+    /// The points that a term is about, apart from those that an extreme is taken of.
+    pub(super) fn points(self) -> [Option<u8>; 3] {
+        match self {
+            Node::Coordinate(_, a) => [Some(a), None, None],
+            Node::Distance(_, a, b) | Node::Angle(a, b) => [Some(a), Some(b), None],
+            Node::VertexAngle(a, b, c) => [Some(a), Some(b), Some(c)],
+            _ => [None; 3],
+        }
+    }
 }
 
 impl Domain<'_> {
@@ -149,7 +223,7 @@ impl Domain<'_> {
         match node_at(nodes, id).ok()? {
             Node::Number(_) => None,
             Node::Constant(i) => self.constants().get(usize::from(i)).map(|c| c.dimension),
-            Node::Attribute(i) => self.slots().nth(usize::from(i)).map(|(_, a)| a.dimension),
+            Node::Attribute(i) => self.slot(i).map(|(_, a)| a.dimension),
             Node::Parameter(i) => self.parameters().get(usize::from(i)).map(|p| p.dimension),
             Node::Coordinate(Coordinate::Theta, _) | Node::Angle(..) | Node::VertexAngle(..) => {
                 Some(Dimension::Angle)
@@ -168,23 +242,22 @@ impl Domain<'_> {
 
     /// What an expression depends on.
     pub fn dependence(&self, nodes: &[Node], id: NodeId) -> Dependence {
-        let point = |i: u8| match self.points().get(usize::from(i)) {
-            Some(p) if p.sampled => Dependence::Sample,
-            _ => Dependence::Instance,
-        };
         match node_at(nodes, id) {
             Ok(Node::Attribute(_)) => Dependence::Instance,
             Ok(Node::Parameter(_)) => Dependence::Sample,
-            Ok(Node::Coordinate(_, p)) => point(p),
-            Ok(Node::Distance(_, a, b) | Node::Angle(a, b)) => point(a).max(point(b)),
-            Ok(Node::VertexAngle(a, b, c)) => point(a).max(point(b)).max(point(c)),
             Ok(Node::Extreme(_, relation)) => self.dependence(&[relation.term()], NodeId(0)),
             Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
                 self.dependence(nodes, a).max(self.dependence(nodes, b))
             }
-            Ok(Node::Number(_) | Node::Constant(_) | Node::Area(_)) | Err(_) => {
-                Dependence::Constant
+            Ok(leaf) => {
+                let points = leaf.points().into_iter().flatten();
+                let dependences = points.map(|i| match self.points().get(usize::from(i)) {
+                    Some(point) if point.sampled => Dependence::Sample,
+                    _ => Dependence::Instance,
+                });
+                dependences.max().unwrap_or(Dependence::Constant)
             }
+            Err(_) => Dependence::Constant,
         }
     }
 
@@ -224,6 +297,16 @@ impl Domain<'_> {
         lexer: &mut Lexer<'_>,
         nodes: &mut VecView<Node>,
     ) -> Result<NodeId, Error> {
+        let read = self.read_expression(lexer, nodes);
+        lexer.outcome(read)
+    }
+
+    /// As [`Domain::parse_expression`]; the lexer notes errors.
+    pub(crate) fn read_expression(
+        &self,
+        lexer: &mut Lexer<'_>,
+        nodes: &mut VecView<Node>,
+    ) -> Result<NodeId, Failed> {
         self.parser(nodes, None).expression(lexer)
     }
 
@@ -307,7 +390,7 @@ impl Domain<'_> {
                 out.write_str(self.constants().get(usize::from(i)).map_or("?", |c| c.name))
             }
             Node::Attribute(i) => {
-                let (object, attribute) = self.slots().nth(usize::from(i)).ok_or(fmt::Error)?;
+                let (object, attribute) = self.slot(i).ok_or(fmt::Error)?;
                 out.write_str(object.name)?;
                 out.write_char('.')?;
                 out.write_str(attribute.name)
@@ -319,21 +402,11 @@ impl Domain<'_> {
             ),
             Node::Coordinate(coordinate, p) => {
                 self.write_point(out, p)?;
-                out.write_str(match coordinate {
-                    Coordinate::X => ".x",
-                    Coordinate::Y => ".y",
-                    Coordinate::Z => ".z",
-                    Coordinate::Theta => ".theta",
-                })
+                out.write_char('.')?;
+                out.write_str(name_of(&Coordinate::NAMED, coordinate))
             }
             Node::Distance(metric, a, b) => {
-                let name = match metric {
-                    Metric::X => "dist_x",
-                    Metric::Y => "dist_y",
-                    Metric::Z => "dist_z",
-                    Metric::Straight => "dist",
-                };
-                self.write_points(out, name, &[a, b])
+                self.write_points(out, name_of(&Metric::NAMED, metric), &[a, b])
             }
             Node::Angle(a, b) => self.write_points(out, "angle", &[a, b]),
             Node::VertexAngle(a, b, c) => self.write_points(out, "angle", &[a, b, c]),

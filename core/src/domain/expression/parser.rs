@@ -1,9 +1,8 @@
 //! Reads expressions.
 
-use super::{Coordinate, MAX_DEPTH, Metric, Node, NodeId, intern, product_dimension};
+use super::{Coordinate, MAX_DEPTH, Metric, Node, NodeId, intern, named, product_dimension};
 use crate::domain::{Dimension, Domain, Extreme, Relation};
-use crate::error::Error;
-use crate::text::{Lexer, Token, split_at_last_dot};
+use crate::text::{Failed, Lexer, Place, Token, split_at_last_dot};
 use heapless::VecView;
 
 pub(in crate::domain) struct ExpressionParser<'d, 't, 'n> {
@@ -15,20 +14,23 @@ pub(in crate::domain) struct ExpressionParser<'d, 't, 'n> {
 
 impl ExpressionParser<'_, '_, '_> {
     /// Reads a whole expression.
-    pub(in crate::domain) fn expression(&mut self, lexer: &mut Lexer<'_>) -> Result<NodeId, Error> {
+    pub(in crate::domain) fn expression(
+        &mut self,
+        lexer: &mut Lexer<'_>,
+    ) -> Result<NodeId, Failed> {
         self.sum(lexer, 0)
     }
 
     /// Reads one factor of an expression: a number, a name, a call or a bracket.
-    pub(in crate::domain) fn single(&mut self, lexer: &mut Lexer<'_>) -> Result<NodeId, Error> {
+    pub(in crate::domain) fn single(&mut self, lexer: &mut Lexer<'_>) -> Result<NodeId, Failed> {
         self.factor(lexer, 0)
     }
 
-    fn sum(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
+    fn sum(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Failed> {
         let mut left = self.product(lexer, depth)?;
         let mut links = depth;
         loop {
-            let at = lexer.clone();
+            let at = lexer.place();
             let make = if lexer.accept("+") {
                 Node::Sum
             } else if lexer.accept("-") {
@@ -36,35 +38,35 @@ impl ExpressionParser<'_, '_, '_> {
             } else {
                 return Ok(left);
             };
-            links = deeper(&at, links)?;
+            links = deeper(lexer, links)?;
             let right = self.product(lexer, depth)?;
             let dimensions = (self.dimension(left), self.dimension(right));
             if let (Some(a), Some(b)) = dimensions
                 && a != b
             {
-                return Err(at.error("the two sides of + or - have different dimensions"));
+                return Err(lexer.fail_at(at, "the two sides of + or - have different dimensions"));
             }
-            left = intern(self.nodes, make(left, right))?;
+            left = self.intern(lexer, make(left, right))?;
         }
     }
 
-    fn product(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
+    fn product(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Failed> {
         let mut left = self.factor(lexer, depth)?;
         let mut links = depth;
         loop {
-            let at = lexer.clone();
+            let at = lexer.place();
             if !lexer.accept("*") {
                 return Ok(left);
             }
-            links = deeper(&at, links)?;
+            links = deeper(lexer, links)?;
             let right = self.factor(lexer, depth)?;
             product_dimension(self.dimension(left), self.dimension(right))
-                .map_err(|what| at.error(what))?;
-            left = intern(self.nodes, Node::Product(left, right))?;
+                .map_err(|what| lexer.fail_at(at, what))?;
+            left = self.intern(lexer, Node::Product(left, right))?;
         }
     }
 
-    fn factor(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Error> {
+    fn factor(&mut self, lexer: &mut Lexer<'_>, depth: u8) -> Result<NodeId, Failed> {
         let depth = deeper(lexer, depth)?;
         if lexer.accept("(") {
             let inside = self.sum(lexer, depth)?;
@@ -74,19 +76,19 @@ impl ExpressionParser<'_, '_, '_> {
         if lexer.accept("-") {
             if let Token::Number(value) = lexer.token() {
                 lexer.advance();
-                return intern(self.nodes, Node::Number(-value));
+                return self.intern(lexer, Node::Number(-value));
             }
-            let zero = intern(self.nodes, Node::Number(0.0))?;
+            let zero = self.intern(lexer, Node::Number(0.0))?;
             let inside = self.factor(lexer, depth)?;
-            return intern(self.nodes, Node::Difference(zero, inside));
+            return self.intern(lexer, Node::Difference(zero, inside));
         }
         let node = self.leaf(lexer)?;
-        intern(self.nodes, node)
+        self.intern(lexer, node)
     }
 
     /// A number, a name, a call, or the extreme of one of these.
-    fn leaf(&self, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
-        let at = lexer.clone();
+    fn leaf(&self, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
+        let at = lexer.place();
         if let Token::Name(name) = lexer.token()
             && let Some(extreme) = Extreme::from_name(name)
         {
@@ -97,71 +99,71 @@ impl ExpressionParser<'_, '_, '_> {
         let members = self.domain.members_in(term);
         let mut groups = members.iter().flatten().map(|member| member.group);
         if groups.any(|group| self.own != Some(group)) {
-            return Err(at.error("only min(...) or max(...) can be about a group"));
+            return Err(lexer.fail_at(at, "only min(...) or max(...) can be about a group"));
         }
         Ok(term)
     }
 
-    fn extreme(&self, extreme: Extreme, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
+    fn extreme(&self, extreme: Extreme, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
         lexer.expect("(", "expected `(` and what the extreme is taken of")?;
-        let at = lexer.clone();
+        let at = lexer.place();
         let term = self.term(lexer)?;
         lexer.expect(")", "expected `)`")?;
         let relation = Relation::of(term).ok_or_else(|| {
-            at.error("min and max are of an attribute, a coordinate, a distance or an angle")
+            lexer.fail_at(
+                at,
+                "min and max are of an attribute, a coordinate, a distance or an angle",
+            )
         })?;
         let members = self.domain.members_in(term);
         let mut groups = members.iter().flatten().map(|member| member.group);
         let first = groups.next();
         if first.is_none() {
-            return Err(at.error("min and max are over a group, and here is none"));
+            return Err(lexer.fail_at(at, "min and max are over a group, and here is none"));
         }
         if groups.any(|group| Some(group) != first) {
-            return Err(at.error("min and max are over one group, and here are two"));
+            return Err(lexer.fail_at(at, "min and max are over one group, and here are two"));
         }
         Ok(Node::Extreme(extreme, relation))
     }
 
-    fn term(&self, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
-        let at = lexer.clone();
+    fn term(&self, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
+        let at = lexer.place();
         match lexer.advance() {
             Token::Number(value) => Ok(Node::Number(value)),
             Token::Name(name) if lexer.accept("(") => {
-                let node = self.call(name, &at, lexer)?;
+                let node = self.call(name, at, lexer)?;
                 lexer.expect(")", "expected `)`")?;
                 Ok(node)
             }
             Token::Name(name) => self.name(name).ok_or_else(|| {
-                at.error(
+                lexer.fail_at(
+                    at,
                     "unknown name: not an attribute, constant, parameter or coordinate of a point",
                 )
             }),
-            _ => Err(at.error("expected a number, a name or `(`")),
+            _ => Err(lexer.fail_at(at, "expected a number, a name or `(`")),
         }
     }
 
-    fn call(&self, name: &str, at: &Lexer<'_>, lexer: &mut Lexer<'_>) -> Result<Node, Error> {
+    fn call(&self, name: &str, at: Place, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
         if name == "area" {
-            let place = lexer.clone();
+            let place = lexer.place();
             let object = lexer.expect_name("expected the name of an object")?;
             let shape = self.domain.find_shape(object);
             return shape
                 .map(Node::Area)
-                .ok_or_else(|| place.error("no `shape` is declared for this object"));
+                .ok_or_else(|| lexer.fail_at(place, "no `shape` is declared for this object"));
         }
-        let metric = match name {
-            "dist" => Some(Metric::Straight),
-            "dist_x" => Some(Metric::X),
-            "dist_y" => Some(Metric::Y),
-            "dist_z" => Some(Metric::Z),
-            "angle" => None,
-            "min" | "max" => return Err(at.error("min and max cannot be of each other")),
-            _ => {
-                return Err(at.error(
-                    "unknown function; there are dist, dist_x, dist_y, dist_z, angle, area, min, max",
-                ));
-            }
-        };
+        let metric = named(&Metric::NAMED, name);
+        if metric.is_none() && name != "angle" {
+            return Err(lexer.fail_at(at, match Extreme::from_name(name) {
+                Some(_) => "min and max cannot be of each other",
+                None => {
+                    "unknown function; there are dist, dist_x, dist_y, dist_z, angle, area, min, max"
+                }
+            }));
+        }
         let a = self.point(lexer)?;
         lexer.expect(",", "expected `,` and a second point")?;
         let b = self.point(lexer)?;
@@ -174,12 +176,12 @@ impl ExpressionParser<'_, '_, '_> {
         Ok(Node::Angle(a, b))
     }
 
-    fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Error> {
-        let at = lexer.clone();
+    fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Failed> {
+        let at = lexer.place();
         let name = lexer.expect_name("expected the name of a point")?;
         self.domain
             .find_point(name)
-            .ok_or_else(|| at.error("unknown point"))
+            .ok_or_else(|| lexer.fail_at(at, "unknown point"))
     }
 
     fn name(&self, name: &str) -> Option<Node> {
@@ -194,15 +196,13 @@ impl ExpressionParser<'_, '_, '_> {
         }
         leaf.or_else(|| {
             let (point, coordinate) = split_at_last_dot(name)?;
-            let coordinate = match coordinate {
-                "x" => Coordinate::X,
-                "y" => Coordinate::Y,
-                "z" => Coordinate::Z,
-                "theta" => Coordinate::Theta,
-                _ => return None,
-            };
+            let coordinate = named(&Coordinate::NAMED, coordinate)?;
             Some(Node::Coordinate(coordinate, domain.find_point(point)?))
         })
+    }
+
+    fn intern(&mut self, lexer: &mut Lexer<'_>, node: Node) -> Result<NodeId, Failed> {
+        intern(self.nodes, node).map_err(|full| lexer.note(full.into()))
     }
 
     fn dimension(&self, id: NodeId) -> Option<Dimension> {
@@ -210,10 +210,10 @@ impl ExpressionParser<'_, '_, '_> {
     }
 }
 
-fn deeper(lexer: &Lexer<'_>, depth: u8) -> Result<u8, Error> {
+fn deeper(lexer: &mut Lexer<'_>, depth: u8) -> Result<u8, Failed> {
     if depth < MAX_DEPTH {
         Ok(depth + 1)
     } else {
-        Err(lexer.error("the expression is nested too deeply or too long"))
+        Err(lexer.fail("the expression is nested too deeply or too long"))
     }
 }

@@ -5,7 +5,7 @@ use super::config::Evidence;
 use super::cover::{Chosen, Cover};
 use super::forms::{Forms, tolerance};
 use super::name::{Name, Named, Scaled, clearance, simplest};
-use crate::domain::{Domain, Node, NodeId, Relation, copy, intern};
+use crate::domain::{Domain, Node, NodeId, Relation, TermError, copy, intern};
 use crate::error::Error;
 use crate::grammar::{Comparison, Inequality, MAX_COMPLEXITY};
 use crate::real::Real;
@@ -78,7 +78,7 @@ fn left_side<R: Real>(
     forms: &Forms<'_, R>,
     bound: &Bound<R>,
     nodes: &mut VecView<Node>,
-) -> Result<NodeId, Error> {
+) -> Result<NodeId, TermError> {
     let (left, right) = forms.terms(&bound.side);
     let known = forms.features().nodes();
     let left = copy(known, left, nodes)?;
@@ -218,7 +218,7 @@ fn speaks_of_corner<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, bound: &
     })
 }
 
-fn term(name: &Name, nodes: &mut VecView<Node>) -> Result<NodeId, Error> {
+fn term(name: &Name, nodes: &mut VecView<Node>) -> Result<NodeId, TermError> {
     let mut scaled = |s: &Scaled| {
         let constant = intern(nodes, Node::Constant(s.constant))?;
         let size = Real::abs(s.factor);
@@ -231,7 +231,7 @@ fn term(name: &Name, nodes: &mut VecView<Node>) -> Result<NodeId, Error> {
             let zero = intern(nodes, Node::Number(0.0))?;
             node = intern(nodes, Node::Difference(zero, node))?;
         }
-        Ok::<_, Error>(node)
+        Ok::<_, TermError>(node)
     };
     let first = scaled(&name.first)?;
     match &name.second {
