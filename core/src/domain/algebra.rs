@@ -272,7 +272,7 @@ impl<R: Real> Curve<R> {
     /// Whether the value at `t` is zero but for rounding.
     pub fn is_near_zero(&self, t: R) -> bool {
         let size = self.line.at.abs() + (self.line.slope * t).abs();
-        let tolerance = R::EPSILON.sqrt() * (R::ONE + size);
+        let tolerance = R::SQRT_EPSILON * (R::ONE + size);
         self.value(t).abs() <= tolerance
     }
 

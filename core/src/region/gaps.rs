@@ -76,7 +76,7 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
     /// Whether the two sides are equal at `t` but for rounding.
     pub(super) fn is_near_zero(&self, t: R) -> bool {
         let [left, right] = self.sides(t);
-        let tolerance = R::EPSILON.sqrt() * (R::ONE + left.abs() + right.abs());
+        let tolerance = R::SQRT_EPSILON * (R::ONE + left.abs() + right.abs());
         (left - right).abs() <= tolerance
     }
 

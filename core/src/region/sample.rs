@@ -7,7 +7,7 @@ use super::interval::IntervalSet;
 use super::parameters::{ParameterSet, Vector, single};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
-use crate::random::uniform;
+use crate::random::uniform_real;
 use crate::real::Real;
 use rand_core::Rng;
 
@@ -88,7 +88,7 @@ fn draw_from<R: Real>(
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Option<Vector<R>>, Error> {
     for _ in 0..REJECTIONS {
-        let Some(t) = set.quantile_inside(R::from_f64(uniform(rng)), margin) else {
+        let Some(t) = set.quantile_inside(uniform_real(rng), margin) else {
             return Ok(None);
         };
         let theta = along(t);
@@ -154,7 +154,7 @@ fn inside<R: Real>(
 ) -> Vector<R> {
     let mut theta = *low;
     for (value, high) in theta.iter_mut().zip(high).take(count) {
-        *value += (*high - *value) * R::from_f64(uniform(rng));
+        *value += (*high - *value) * uniform_real(rng);
     }
     theta
 }
@@ -170,7 +170,10 @@ fn step<R: Real>(
     let (low, high) = parameters.bounds();
     let sizes = low.iter().zip(&high).take(parameters.count());
     for (value, (low, high)) in direction.iter_mut().zip(sizes) {
-        *value = (*high - *low) * R::from_f64(2.0 * uniform(rng) - 1.0);
+        *value = (*high - *low) * {
+            let share: R = uniform_real(rng);
+            share + share - R::ONE
+        };
     }
     let (mut first, mut last) = (-R::INFINITY, R::INFINITY);
     let ranges = low.iter().zip(&high).zip(through.iter().zip(&direction));
