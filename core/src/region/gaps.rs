@@ -6,7 +6,6 @@
 //! constraint can change its mind. In between, and for the question whether the
 //! members of a root are the ones that count, the constraint itself is evaluated.
 
-use super::MAX_REGION_POINTS;
 use crate::domain::{Arithmetic, Curve, Line, MAX_PARAMETERS, Node, NodeId, Sample, Scene};
 use crate::grammar::{Comparison, Constraint};
 use crate::real::Real;
@@ -19,9 +18,9 @@ const MAX_CHOICES: usize = 1024;
 
 /// Positions on a line of parameters, as numbers and as a line.
 pub(super) struct Along<'s, 'a, R> {
-    pub(super) scene: &'s Scene<'a, R, MAX_REGION_POINTS>,
-    pub(super) theta: &'s [Line<R>; MAX_PARAMETERS],
-    pub(super) sample: &'s Sample<'s, 'a, R, Line<R>, MAX_REGION_POINTS>,
+    pub(super) scene: &'s Scene<'a, R>,
+    pub(super) theta: &'s [Line<R>],
+    pub(super) sample: &'s Sample<'s, 'a, R, Line<R>>,
 }
 
 /// A constraint along a line.
@@ -81,7 +80,10 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
     }
 
     fn sides(&self, t: R) -> [R; 2] {
-        let theta = self.along.theta.map(|line| line.at + line.slope * t);
+        let mut theta = [R::ZERO; MAX_PARAMETERS];
+        for (value, line) in theta.iter_mut().zip(self.along.theta) {
+            *value = line.value(t);
+        }
         let sample = self.along.scene.sample::<R>(&theta);
         [self.constraint.left, self.constraint.right].map(|id| sample.measure(self.nodes, id))
     }

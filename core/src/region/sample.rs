@@ -60,8 +60,12 @@ pub(super) fn sample<R: Real>(
         1 => draw_from(set, set.set(), single, margin, rng)?,
         _ => sample_several(set, margin, rng)?,
     };
-    let theta = found.ok_or(Error::NoSample)?;
-    Ok(theta.map(R::to_f64))
+    let found = found.ok_or(Error::NoSample)?;
+    let mut theta = [0.0; MAX_PARAMETERS];
+    for (value, found) in theta.iter_mut().zip(found).take(set.count()) {
+        *value = found.to_f64();
+    }
+    Ok(theta)
 }
 
 /// Whether it is proven that a set has no parameters; see
