@@ -132,7 +132,7 @@ impl Real for f32 {
     const INFINITY: f32 = f32::INFINITY;
     const NAN: f32 = f32::NAN;
     const EPSILON: f32 = f32::EPSILON;
-    const SQRT_EPSILON: f32 = 3.452_67e-4;
+    const SQRT_EPSILON: f32 = 3.452_669_8e-4;
 
     fn from_f64(value: f64) -> f32 {
         value as f32

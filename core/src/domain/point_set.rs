@@ -113,12 +113,6 @@ impl Bits {
         }
     }
 
-    /// How many there are.
-    pub(super) fn len(self) -> usize {
-        let [low, high] = self.0;
-        (low.count_ones() + high.count_ones()) as usize
-    }
-
     /// All of them, ascending.
     pub(super) fn iter(self) -> impl Iterator<Item = u8> {
         let [mut low, mut high] = self.0;

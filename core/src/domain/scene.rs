@@ -6,7 +6,7 @@ use super::algebra::{Algebra, Arithmetic, Measure};
 use super::expression::{Coordinate, Metric, Node, NodeId};
 use super::group::{Extreme, Relation};
 use super::point_set::PointSet;
-use super::schema::{Base, Domain, MAX_POINTS, Point, Shape};
+use super::schema::{Base, Domain, MAX_OBJECTS, MAX_POINTS, Point, Shape};
 use super::turns::Turn;
 use crate::error::Error;
 use crate::geometry::Rotation;
@@ -16,9 +16,10 @@ use heapless::Vec;
 /// Most points of a domain that depend on a parameter.
 pub const MAX_SAMPLE_POINTS: usize = 6;
 
-/// Most numbers for the rotations of a scene: two for each point that is turned about
-/// the z axis, nine for one that is tilted.
-const MAX_TURN_NUMBERS: usize = 2 * MAX_POINTS;
+/// Most numbers for the rotations of a scene: two for each object or turned point, if
+/// it is turned about the z axis, nine if it is tilted. Points that are turned as what
+/// they are placed in need none.
+const MAX_TURN_NUMBERS: usize = 3 * MAX_OBJECTS;
 
 /// Where a sample point is: its origin may vary with the parameters.
 #[derive(Clone, Copy, Debug)]
@@ -47,8 +48,9 @@ impl<'a, R: Real> Scene<'a, R> {
     ///
     /// # Errors
     /// Those of [`Domain::check_instance`]; [`Error::CapacityExceeded`] for more
-    /// sample points than [`MAX_SAMPLE_POINTS`], or where more than 14 objects and
-    /// points are tilted, each in its own way.
+    /// sample points than [`MAX_SAMPLE_POINTS`], or if the rotations of objects and
+    /// turned points need more than 96 numbers: two each, but nine where the pitch or
+    /// roll is not zero.
     pub fn new(
         domain: &'a Domain<'a>,
         instance: &'a [f64],
@@ -74,7 +76,7 @@ impl<'a, R: Real> Scene<'a, R> {
 
     pub(crate) fn settle(&mut self) -> Result<(), Error> {
         self.domain.check_instance(self.instance)?;
-        if self.points.sampled.len() > MAX_SAMPLE_POINTS {
+        if self.points.sampled.iter().nth(MAX_SAMPLE_POINTS).is_some() {
             return Err(Error::CapacityExceeded("points that depend on a parameter"));
         }
         for index in self.points.fixed.iter() {
@@ -139,10 +141,15 @@ impl<'a, R: Real> Scene<'a, R> {
     }
 
     fn object_rotation(&self, object: u8) -> Rotation<R> {
+        let read = |slot: Option<u8>| slot.map_or(R::ZERO, |slot| self.slot(slot));
         match self.domain.pose_slots(object).angles {
             [None, None, None] => Rotation::None,
             [Some(yaw), None, None] => Rotation::planar(self.slot(yaw)),
-            angles => Rotation::new(angles.map(|s| s.map_or(R::ZERO, |slot| self.slot(slot)))),
+            // An absent member has none, and no room is kept for it.
+            angles => match angles.map(read) {
+                angles if angles.iter().all(|a| a.is_finite()) => Rotation::new(angles),
+                _ => Rotation::None,
+            },
         }
     }
 
@@ -359,6 +366,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         }
     }
 
+    #[inline(never)]
     fn extreme(&self, extreme: Extreme, relation: Relation) -> A::Measure {
         let values = self.scene.terms(relation).map(|term| self.leaf(term));
         values
@@ -400,6 +408,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         }
     }
 
+    #[inline(never)]
     fn vertex_angle(&self, a: u8, vertex: u8, b: u8) -> A::Measure {
         let at = self.origin(vertex);
         let [to_a, to_b] = [a, b].map(|point| {
@@ -472,6 +481,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 
     /// Turns and moves a sample point in the frame it is placed in.
+    #[inline(never)]
     fn place(&mut self, point: &Point<'_>) -> Placed<A> {
         let mut placed = match point.base {
             Base::World => Placed {

@@ -32,7 +32,9 @@ impl Turn {
             Rotation::Planar(numbers) => (Turn::Planar(at), numbers.as_slice()),
             Rotation::Tilted(rows) => (Turn::Tilted(at), rows.as_flattened()),
         };
-        list.extend_from_slice(numbers).map_err(|_| FULL)?;
+        for number in numbers {
+            list.push(*number).map_err(|_| FULL)?;
+        }
         Ok(turn)
     }
 

@@ -17,6 +17,7 @@ const MAX_EXTREMES: usize = 4;
 const MAX_CHOICES: usize = 1024;
 
 /// Positions on a line of parameters, as numbers and as a line.
+#[derive(Clone, Copy)]
 pub(super) struct Along<'s, 'a, R> {
     pub(super) scene: &'s Scene<'a, R>,
     pub(super) theta: &'s [Line<R>],

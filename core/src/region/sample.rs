@@ -56,11 +56,10 @@ pub(super) fn sample<R: Real>(
 ) -> Result<Theta, Error> {
     let found = match set.count() {
         0 | 1 if is_proven_empty(set)? => return Err(Error::EmptyRegion),
-        0 => Some([R::ZERO; MAX_PARAMETERS]),
-        1 => draw_from(set, set.set(), single, margin, rng)?,
-        _ => sample_several(set, margin, rng)?,
+        0 => [R::ZERO; MAX_PARAMETERS],
+        1 => draw_from(set, set.set(), single, margin, rng)?.ok_or(Error::NoSample)?,
+        _ => sample_several(set, margin, rng)?.ok_or(Error::NoSample)?,
     };
-    let found = found.ok_or(Error::NoSample)?;
     let mut theta = [0.0; MAX_PARAMETERS];
     for (value, found) in theta.iter_mut().zip(found).take(set.count()) {
         *value = found.to_f64();
@@ -110,6 +109,8 @@ fn draw_from<R: Real>(
     Ok(None)
 }
 
+/// Not inlined: what it needs is not on the stack while a set is grounded.
+#[inline(never)]
 fn sample_several<R: Real>(
     parameters: &impl ParameterSet<R>,
     margin: R,

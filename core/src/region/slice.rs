@@ -34,28 +34,40 @@ pub(super) fn slice<R: Real>(
     }
     let mut sample = Sample::blank(scene, &theta);
     sample.settle();
-    let formula = &region.formula;
+    let along = Along {
+        scene,
+        theta: &theta,
+        sample: &sample,
+    };
+    cut(&region.formula, along, ends, set)
+}
+
+/// Cuts a line at the roots of a formula's constraints. Not inlined: its breaks are not
+/// on the stack while points are placed.
+#[inline(never)]
+fn cut<R: Real>(
+    formula: &Formula,
+    along: Along<'_, '_, R>,
+    ends: [R; 2],
+    set: &mut IntervalSet<R>,
+) -> Result<(), Error> {
+    let nodes = formula.nodes();
     let mut cut = Cut::new(ends);
     for (owner, constraint) in (0u8..).zip(formula.constraints()) {
-        let curve = sample.difference(formula.nodes(), [constraint.left, constraint.right]);
+        let sides = [constraint.left, constraint.right];
+        let curve = along.sample.difference(nodes, sides);
         if curve.is_finite() {
             cut.add(owner, &curve, constraint.comparison)?;
         } else {
-            let along = Along {
-                scene,
-                theta: &theta,
-                sample: &sample,
-            };
-            cut.add_gaps(owner, along, formula.nodes(), constraint)?;
+            cut.add_gaps(owner, along, nodes, constraint)?;
         }
     }
     cut.write(formula, set)
 }
 
-/// A root of a constraint.
+/// Whose a root is.
 #[derive(Clone, Copy)]
-struct Break<R> {
-    at: R,
+struct Root {
     /// Index of the constraint.
     owner: u8,
     /// Whether it holds behind it.
@@ -81,7 +93,7 @@ impl Masks {
 
 /// The bit of a constraint.
 fn bit(owner: u8) -> u32 {
-    1u32.checked_shl(u32::from(owner)).unwrap_or(0)
+    1u32.wrapping_shl(u32::from(owner))
 }
 
 const _: () = assert!(MAX_CONSTRAINTS <= 32, "masks have a bit per constraint");
@@ -93,8 +105,10 @@ struct Cut<R> {
     first: Masks,
     /// Constraints that hold where their two sides are equal.
     admit_equal: u32,
-    /// The roots between the ends, ascending.
-    breaks: Vec<Break<R>, MAX_BREAKS>,
+    /// Where there are roots between the ends, ascending.
+    breaks: Vec<R, MAX_BREAKS>,
+    /// Whose they are. A list of its own, which needs less room than pairs.
+    roots: Vec<Root, MAX_BREAKS>,
 }
 
 impl<R: Real> Cut<R> {
@@ -104,10 +118,12 @@ impl<R: Real> Cut<R> {
             first: Masks::default(),
             admit_equal: 0,
             breaks: Vec::new(),
+            roots: Vec::new(),
         }
     }
 
     /// Cuts at the roots of a constraint, and evaluates it once between them.
+    #[inline(never)]
     fn add(&mut self, owner: u8, curve: &Curve<R>, comparison: Comparison) -> Result<(), Error> {
         let [low, high] = self.ends;
         let inside = |t: R| low <= t && t <= high && curve.is_near_zero(t);
@@ -153,17 +169,17 @@ impl<R: Real> Cut<R> {
             let inside = |t: &R| low <= *t && *t <= end && curve.is_near_zero(*t);
             let equal = |t: &R| inside(t) && gaps.is_near_zero(*t);
             for at in roots(&curve).into_iter().filter(equal) {
-                let mut breaks = self.breaks.iter();
-                if !breaks.any(|own| own.owner == owner && own.at == at) {
+                let mut known = self.breaks.iter().zip(&self.roots);
+                if !known.any(|(place, root)| root.owner == owner && *place == at) {
                     self.insert(owner, at, false)?;
                 }
             }
         }
         let holds_between = |a: R, b: R| gaps.holds(middle(a, b));
-        let own = self.breaks.iter_mut().rev();
-        for own in own.filter(|own| own.owner == owner) {
-            own.then_holds = holds_between(own.at, end);
-            end = own.at;
+        let all = self.breaks.iter().zip(&mut self.roots).rev();
+        for (at, root) in all.filter(|(_, root)| root.owner == owner) {
+            root.then_holds = holds_between(*at, end);
+            end = *at;
         }
         self.begin(owner, gaps.comparison(), holds_between(low, end));
         Ok(())
@@ -191,22 +207,20 @@ impl<R: Real> Cut<R> {
 
     /// Sorted insertion.
     fn insert(&mut self, owner: u8, at: R, then_holds: bool) -> Result<(), Error> {
-        let mut carried = Break {
-            at,
-            owner,
-            then_holds,
-        };
-        for slot in &mut self.breaks {
-            if carried.at < slot.at {
-                core::mem::swap(slot, &mut carried);
+        const FULL: Error = Error::CapacityExceeded("intervals of a region");
+        let (mut at, mut root) = (at, Root { owner, then_holds });
+        for (place, other) in self.breaks.iter_mut().zip(&mut self.roots) {
+            if at < *place {
+                core::mem::swap(place, &mut at);
+                core::mem::swap(other, &mut root);
             }
         }
-        self.breaks
-            .push(carried)
-            .map_err(|_| Error::CapacityExceeded("intervals of a region"))
+        self.breaks.push(at).map_err(|_| FULL)?;
+        self.roots.push(root).map_err(|_| FULL)
     }
 
     /// Writes down where a formula holds.
+    #[inline(never)]
     fn write(&self, formula: &Formula, set: &mut IntervalSet<R>) -> Result<(), Error> {
         // Most regions are conjunctions: all bits set is all there is to know.
         let all = formula.conjunction();
@@ -216,13 +230,17 @@ impl<R: Real> Cut<R> {
         };
         let mut masks = self.first;
         let mut builder = Builder::new(set, masks.hold & masks.fail == 0);
-        let mut breaks = self.breaks.iter().peekable();
+        let mut breaks = self.breaks.iter().zip(&self.roots);
+        let mut next = breaks.next();
         let [mut at, high] = self.ends;
         loop {
             let (mut owners, mut then_hold) = (0, 0);
-            while let Some(own) = breaks.next_if(|own| own.at == at) {
-                owners |= bit(own.owner);
-                then_hold |= if own.then_holds { bit(own.owner) } else { 0 };
+            while let Some((place, root)) = next
+                && *place == at
+            {
+                owners |= bit(root.owner);
+                then_hold |= if root.then_holds { bit(root.owner) } else { 0 };
+                next = breaks.next();
             }
             let here = truth(masks.with(owners, self.admit_equal));
             masks = masks.with(owners, then_hold);
@@ -231,7 +249,7 @@ impl<R: Real> Cut<R> {
             if !goes_on {
                 return Ok(());
             }
-            at = breaks.peek().map_or(high, |own| own.at);
+            at = next.map_or(high, |(place, _)| *place);
         }
     }
 }
