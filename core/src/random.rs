@@ -1,5 +1,6 @@
 //! Random numbers: one named algorithm, the same stream on every target.
 
+use crate::real::Real;
 use rand_core::Rng;
 
 /// The generator of the library: PCG XSH-RR 64/32 (O'Neill 2014). Its state is
@@ -13,7 +14,12 @@ pub fn generator(seed: u64) -> Generator {
 
 /// A number uniform in `[0, 1)`, with 53 random bits.
 pub fn uniform(rng: &mut (impl Rng + ?Sized)) -> f64 {
-    (rng.next_u64() >> 11) as f64 * (1.0 / 9_007_199_254_740_992.0)
+    uniform_real(rng)
+}
+
+/// As [`uniform`], rounded to the nearest number of a type, which may be one.
+pub(crate) fn uniform_real<R: Real>(rng: &mut (impl Rng + ?Sized)) -> R {
+    R::from_share(rng.next_u64() >> 11)
 }
 
 /// A number uniform in `[low, high)`.

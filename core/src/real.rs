@@ -1,9 +1,11 @@
 //! The scalar of the library: `f64`, `f32`, or (feature `micromath`) `Fast32`.
 //!
-//! Transcendental functions come from `libm` on every target, never from the
-//! platform's C library: the same inputs give the same bytes on a workstation
-//! and on a microcontroller. `num-traits` was not used because Cargo's feature
+//! Transcendental functions come from `libm` on every target, or from here, never
+//! from the platform's C library: the same inputs give the same bytes on a
+//! workstation and on a microcontroller. `num-traits` was not used because Cargo's feature
 //! unification can silently switch it to `std`'s maths.
+
+mod sine;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -43,9 +45,13 @@ pub trait Real:
     const NAN: Self;
     /// The distance from one to the next larger number.
     const EPSILON: Self;
+    /// The square root of that: half of the digits.
+    const SQRT_EPSILON: Self;
 
     /// The nearest value of this type.
     fn from_f64(value: f64) -> Self;
+    /// A share of 2^53, which is below one unless it is rounded up to it.
+    fn from_share(share: u64) -> Self;
     /// The value as `f64`, exactly.
     fn to_f64(self) -> f64;
     /// Square root; NaN for negative numbers.
@@ -88,9 +94,13 @@ impl Real for f64 {
     const INFINITY: f64 = f64::INFINITY;
     const NAN: f64 = f64::NAN;
     const EPSILON: f64 = f64::EPSILON;
+    const SQRT_EPSILON: f64 = 1.0 / 67_108_864.0;
 
     fn from_f64(value: f64) -> f64 {
         value
+    }
+    fn from_share(share: u64) -> f64 {
+        share as f64 * (1.0 / 9_007_199_254_740_992.0)
     }
     fn to_f64(self) -> f64 {
         self
@@ -122,9 +132,14 @@ impl Real for f32 {
     const INFINITY: f32 = f32::INFINITY;
     const NAN: f32 = f32::NAN;
     const EPSILON: f32 = f32::EPSILON;
+    const SQRT_EPSILON: f32 = 3.452_669_8e-4;
 
     fn from_f64(value: f64) -> f32 {
         value as f32
+    }
+    /// The same as the nearest to that of `f64`, because a power of two is divided by.
+    fn from_share(share: u64) -> f32 {
+        share as f32 * (1.0 / 9_007_199_254_740_992.0)
     }
     fn to_f64(self) -> f64 {
         f64::from(self)
@@ -133,7 +148,7 @@ impl Real for f32 {
         libm::sqrtf(self)
     }
     fn sin_cos(self) -> (f32, f32) {
-        libm::sincosf(self)
+        sine::sin_cos(self)
     }
     fn atan2(self, x: f32) -> f32 {
         libm::atan2f(self, x)
@@ -200,9 +215,13 @@ mod fast {
         const INFINITY: Fast32 = Fast32(f32::INFINITY);
         const NAN: Fast32 = Fast32(f32::NAN);
         const EPSILON: Fast32 = Fast32(f32::EPSILON);
+        const SQRT_EPSILON: Fast32 = Fast32(<f32 as Real>::SQRT_EPSILON);
 
         fn from_f64(value: f64) -> Fast32 {
             Fast32(value as f32)
+        }
+        fn from_share(share: u64) -> Fast32 {
+            Fast32(f32::from_share(share))
         }
         fn to_f64(self) -> f64 {
             f64::from(self.0)
@@ -235,6 +254,12 @@ mod fast {
 mod tests {
     use super::Real;
     use core::f64::consts::PI;
+
+    #[test]
+    fn the_root_of_epsilon_is_its_root() {
+        assert_eq!(<f64 as Real>::SQRT_EPSILON, Real::sqrt(f64::EPSILON));
+        assert_eq!(<f32 as Real>::SQRT_EPSILON, Real::sqrt(f32::EPSILON));
+    }
 
     #[test]
     fn angles_wrap_into_half_open_turn() {

@@ -20,12 +20,18 @@ pub trait Arithmetic<R: Real>: Copy {
     fn minus(self, other: Self) -> Self;
     /// `self * other`
     fn times(self, other: Self) -> Self;
+    /// `self * factor`
+    fn scaled(self, factor: R) -> Self {
+        self.times(Self::constant(factor))
+    }
 }
 
 /// What features are computed in.
 pub trait Measure<R: Real>: Arithmetic<R> {
     /// The extreme of two quantities, everywhere.
     fn extreme(self, extreme: Extreme, other: Self) -> Self;
+    /// Subtracts a number, in place.
+    fn lower(&mut self, by: R);
 }
 
 /// What parameters and positions are computed in.
@@ -69,6 +75,9 @@ impl<R: Real> Measure<R> for R {
     fn extreme(self, extreme: Extreme, other: R) -> R {
         extreme.of(self, other)
     }
+    fn lower(&mut self, by: R) {
+        *self -= by;
+    }
 }
 
 impl<R: Real> Algebra<R> for R {
@@ -110,13 +119,6 @@ impl<R: Real> Line<R> {
     pub fn value(&self, t: R) -> R {
         self.at + self.slope * t
     }
-
-    fn scaled(self, factor: R) -> Line<R> {
-        Line {
-            at: self.at * factor,
-            slope: self.slope * factor,
-        }
-    }
 }
 
 impl<R: Real> Arithmetic<R> for Line<R> {
@@ -151,6 +153,12 @@ impl<R: Real> Arithmetic<R> for Line<R> {
             other.scaled(self.at)
         } else {
             Self::unknown()
+        }
+    }
+    fn scaled(self, factor: R) -> Self {
+        Line {
+            at: self.at * factor,
+            slope: self.slope * factor,
         }
     }
 }
@@ -225,11 +233,14 @@ impl<R: Real> Curve<R> {
     /// Whether its value along the line is known. It may be infinite everywhere, as
     /// an extreme over nothing is.
     pub fn is_known(&self) -> bool {
-        let mut vector = self.vector.iter().chain(&self.along);
+        if self.factor == R::ZERO {
+            return self.line.slope.is_finite();
+        }
+        let known = |v: &Line<R>| (v.at + v.slope).is_finite();
         (self.line.slope + self.factor).is_finite()
-            && vector.all(|v| (v.at + v.slope).is_finite())
+            && self.vector.iter().all(known)
             // The roots of an angle against a straight line have no closed form.
-            && (self.along.is_none() || self.line.slope == R::ZERO)
+            && self.along.is_none_or(|along| known(&along) && self.line.slope == R::ZERO)
     }
 
     /// Whether its value along the line is known, and a number everywhere.
@@ -238,41 +249,42 @@ impl<R: Real> Curve<R> {
     }
 
     /// The value at `t`.
+    #[inline]
     pub fn value(&self, t: R) -> R {
         let straight = self.line.value(t);
         if self.factor == R::ZERO {
             return straight;
         }
+        straight + self.factor * self.bend(t)
+    }
+
+    /// The length or angle of the vector at `t`.
+    fn bend(&self, t: R) -> R {
         let length = R::norm(self.vector.map(|v| v.value(t)));
         let Some(along) = self.along else {
-            return straight + self.factor * length;
+            return length;
         };
         let along = along.value(t);
         let across = (length * length - along * along).max(R::ZERO).sqrt();
-        straight + self.factor * across.atan2(along)
+        across.atan2(along)
     }
 
-    /// A curve with the same roots that is no angle: a vector is at an angle to a
-    /// direction where its part along it is its length times the cosine. `None` if
-    /// there are no roots.
-    pub fn without_angle(self) -> Option<Self> {
+    /// The straight part and the factor of a curve with the same vector and the same
+    /// roots that is no angle: a vector is at an angle to a direction where its part
+    /// along it is its length times the cosine. `None` if there are no roots.
+    pub fn without_angle(&self) -> Option<(Line<R>, R)> {
         let Some(along) = self.along else {
-            return Some(self);
+            return Some((self.line, self.factor));
         };
         let angle = -self.line.at / self.factor;
         let possible = angle >= R::ZERO && angle <= R::from_f64(core::f64::consts::PI);
-        possible.then(|| Curve {
-            line: along,
-            factor: -angle.sin_cos().1,
-            vector: self.vector,
-            along: None,
-        })
+        possible.then(|| (along, -angle.sin_cos().1))
     }
 
     /// Whether the value at `t` is zero but for rounding.
     pub fn is_near_zero(&self, t: R) -> bool {
         let size = self.line.at.abs() + (self.line.slope * t).abs();
-        let tolerance = R::EPSILON.sqrt() * (R::ONE + size);
+        let tolerance = R::SQRT_EPSILON * (R::ONE + size);
         self.value(t).abs() <= tolerance
     }
 
@@ -289,14 +301,6 @@ impl<R: Real> Curve<R> {
             line,
             factor,
             ..bent
-        }
-    }
-
-    fn scaled(self, factor: R) -> Self {
-        Curve {
-            line: self.line.scaled(factor),
-            factor: self.factor * factor,
-            ..self
         }
     }
 
@@ -326,6 +330,13 @@ impl<R: Real> Arithmetic<R> for Curve<R> {
             (None, None) => Self::unknown(),
         }
     }
+    fn scaled(self, factor: R) -> Self {
+        Curve {
+            line: self.line.scaled(factor),
+            factor: self.factor * factor,
+            ..self
+        }
+    }
 }
 
 impl<R: Real> Measure<R> for Curve<R> {
@@ -334,6 +345,9 @@ impl<R: Real> Measure<R> for Curve<R> {
             (Some(a), Some(b)) => Self::constant(extreme.of(a, b)),
             _ => Self::unknown(),
         }
+    }
+    fn lower(&mut self, by: R) {
+        self.line.at -= by;
     }
 }
 
@@ -402,6 +416,10 @@ impl<R: Real> Measure<R> for Range<R> {
             low: extreme.of(self.low, other.low),
             high: extreme.of(self.high, other.high),
         }
+    }
+    fn lower(&mut self, by: R) {
+        self.low -= by;
+        self.high -= by;
     }
 }
 

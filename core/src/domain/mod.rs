@@ -93,6 +93,7 @@ mod schema;
 mod state;
 mod task;
 mod trial;
+mod turns;
 
 pub(crate) use description::CHECKSUM;
 pub(crate) use expression::{TermError, copy, intern, is_same};

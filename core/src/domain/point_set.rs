@@ -59,7 +59,7 @@ impl PointSet {
         };
         let places = |point: &Point<'_>| {
             let pose = match point.base {
-                Base::Object(object) => domain.pose_slots(object),
+                Base::Object(object) => *domain.pose_slots(object),
                 _ => PoseSlots::default(),
             };
             let mut pose = pose.position.into_iter().chain(pose.angles);
@@ -100,41 +100,50 @@ impl PointSet {
     }
 }
 
-/// Indices of points.
+/// Indices of points: a bit each, in words that a microcontroller counts in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Bits(u64);
+pub(super) struct Bits([u32; 2]);
 
 const _: () = assert!(MAX_POINTS <= 64, "there is a bit per point");
 
 impl Bits {
     fn insert(&mut self, point: u8) {
-        self.0 |= 1u64.checked_shl(u32::from(point)).unwrap_or(0);
-    }
-
-    /// How many there are.
-    pub(super) fn len(self) -> usize {
-        self.0.count_ones() as usize
+        if let Some(word) = self.0.get_mut(usize::from(point / 32)) {
+            *word |= 1 << (point % 32);
+        }
     }
 
     /// All of them, ascending.
     pub(super) fn iter(self) -> impl Iterator<Item = u8> {
-        let mut left = self.0;
+        let [mut low, mut high] = self.0;
         core::iter::from_fn(move || {
+            let (left, first) = if low != 0 {
+                (&mut low, 0)
+            } else if high != 0 {
+                (&mut high, 32)
+            } else {
+                return None;
+            };
             let next = left.trailing_zeros();
-            left &= left.wrapping_sub(1);
-            (next < u64::BITS).then_some(next as u8)
+            *left &= left.wrapping_sub(1);
+            Some((first + next) as u8)
         })
     }
 
     pub(super) fn has(self, point: u8) -> bool {
-        self.0.checked_shr(u32::from(point)).unwrap_or(0) & 1 == 1
+        let word = self.0.get(usize::from(point / 32));
+        word.is_some_and(|word| word >> (point % 32) & 1 == 1)
     }
 
     /// How many of them are below `point`.
     pub(super) fn rank(self, point: u8) -> usize {
-        let below = 1u64
-            .checked_shl(u32::from(point))
-            .map_or(u64::MAX, |bit| bit - 1);
-        (self.0 & below).count_ones() as usize
+        let [low, high] = self.0;
+        let below = (1u32 << (point % 32)) - 1;
+        let count = if point < 32 {
+            (low & below).count_ones()
+        } else {
+            low.count_ones() + (high & below).count_ones()
+        };
+        count as usize
     }
 }

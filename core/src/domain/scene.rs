@@ -3,56 +3,54 @@
 //! objects and key points, and all their sines and cosines) is computed once.
 
 use super::algebra::{Algebra, Arithmetic, Measure};
-use super::expression::{Coordinate, Metric, Node, NodeId, node_at};
+use super::expression::{Coordinate, Metric, Node, NodeId};
 use super::group::{Extreme, Relation};
 use super::point_set::PointSet;
-use super::schema::{Base, Domain, MAX_POINTS, Point, Shape};
+use super::schema::{Base, Domain, MAX_OBJECTS, MAX_POINTS, Point, Shape};
+use super::turns::Turn;
 use crate::error::Error;
-use crate::geometry::Frame3;
+use crate::geometry::Rotation;
 use crate::real::Real;
 use heapless::Vec;
 
 /// Most points of a domain that depend on a parameter.
 pub const MAX_SAMPLE_POINTS: usize = 6;
 
+/// Most numbers for the rotations of a scene: two for each object or turned point, if
+/// it is turned about the z axis, nine if it is tilted. Points that are turned as what
+/// they are placed in need none.
+const MAX_TURN_NUMBERS: usize = 3 * MAX_OBJECTS;
+
 /// Where a sample point is: its origin may vary with the parameters.
 #[derive(Clone, Copy, Debug)]
 struct Placed<A> {
     origin: [A; 3],
     turn: Turn,
-}
-
-/// How a sample point is turned. An index and no frame: the usual point is turned
-/// like its base, and copying frames would cost more than all the rest.
-#[derive(Clone, Copy, Debug)]
-enum Turn {
-    /// As the world.
-    World,
-    /// As a point that does not depend on the parameters.
-    As(u8),
-    /// In its own way, by the index of its frame in the sample.
-    Own(u8),
-    /// In a way that varies and that the algebra cannot follow: it can with
-    /// numbers only.
-    Unknown,
+    /// Whether its rotation is one of the sample, and not of the scene.
+    turns_itself: bool,
 }
 
 /// A domain in one problem instance: every pose that needs no parameters.
 #[derive(Clone, Debug)]
-pub struct Scene<'a, R, const POINTS: usize = MAX_POINTS> {
+pub struct Scene<'a, R> {
     domain: &'a Domain<'a>,
     instance: &'a [f64],
     points: PointSet,
     /// Of the points that do not depend on the parameters.
-    frames: Vec<Frame3<R>, POINTS>,
+    origins: Vec<[R; 3], MAX_POINTS>,
+    /// An index each and no rotation: the usual point is turned like its base.
+    turns: Vec<Turn, MAX_POINTS>,
+    rotations: Vec<R, MAX_TURN_NUMBERS>,
 }
 
-impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
+impl<'a, R: Real> Scene<'a, R> {
     /// The domain in `instance`, ready for expressions over `points`.
     ///
     /// # Errors
     /// Those of [`Domain::check_instance`]; [`Error::CapacityExceeded`] for more
-    /// points than `POINTS`, or more sample points than [`MAX_SAMPLE_POINTS`].
+    /// sample points than [`MAX_SAMPLE_POINTS`], or if the rotations of objects and
+    /// turned points need more than 96 numbers: two each, but nine where the pitch or
+    /// roll is not zero.
     pub fn new(
         domain: &'a Domain<'a>,
         instance: &'a [f64],
@@ -64,47 +62,64 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
     }
 
     /// As [`Scene::new`], to be completed in place by [`Scene::settle`], which saves
-    /// moving the frames.
+    /// moving the points.
     pub(crate) fn blank(domain: &'a Domain<'a>, instance: &'a [f64], points: PointSet) -> Self {
         Scene {
             domain,
             instance,
             points,
-            frames: Vec::new(),
+            origins: Vec::new(),
+            turns: Vec::new(),
+            rotations: Vec::new(),
         }
     }
 
     pub(crate) fn settle(&mut self) -> Result<(), Error> {
         self.domain.check_instance(self.instance)?;
-        if self.points.sampled.len() > MAX_SAMPLE_POINTS {
+        if self.points.sampled.iter().nth(MAX_SAMPLE_POINTS).is_some() {
             return Err(Error::CapacityExceeded("points that depend on a parameter"));
         }
         for index in self.points.fixed.iter() {
             if let Some(point) = self.domain.points().get(usize::from(index)) {
-                let frame = self.fixed_frame(point);
-                self.frames
-                    .push(frame)
-                    .map_err(|_| Error::CapacityExceeded("points of a region or domain"))?;
+                self.place(point)?;
             }
         }
         Ok(())
     }
 
-    /// The scene at a sample; `theta` has one entry per parameter.
-    pub fn sample<'s, A: Algebra<R>>(&'s self, theta: &'s [A]) -> Sample<'s, 'a, R, A, POINTS> {
-        let mut sample = Sample {
-            scene: self,
-            theta,
-            placed: Vec::new(),
-            frames: Vec::new(),
+    /// Turns and moves a point in the frame it is placed in.
+    fn place(&mut self, point: &Point<'_>) -> Result<(), Error> {
+        let (mut origin, base) = match point.base {
+            Base::World => ([R::ZERO; 3], Turn::World),
+            Base::Object(object) => (self.object_origin(object), self.object_turn(point, object)?),
+            Base::Point(p) => self.placed(p),
         };
-        for index in self.points.sampled.iter() {
-            if let Some(point) = self.domain.points().get(usize::from(index)) {
-                let placed = sample.place(point);
-                // There is room: the scene counted the points.
-                let _ = sample.placed.push(placed);
+        let turn = if is_zero(&point.turn) {
+            base
+        } else {
+            let angles = point.turn.map(|id| self.offset_term(id, &[]));
+            let base = base.rotation(&self.rotations).unwrap_or(Rotation::None);
+            Turn::keep(&base.compose(&Rotation::new(angles)), &mut self.rotations)?
+        };
+        if !is_zero(&point.offset) {
+            let mut step = [R::ZERO; 3];
+            if let Some(rotation) = turn.rotation(&self.rotations) {
+                self.advance(&mut step, &rotation, &point.offset, &[]);
+            }
+            for (coordinate, step) in origin.iter_mut().zip(step) {
+                *coordinate += step;
             }
         }
+        // There is room: a domain has no more points.
+        let _ = self.origins.push(origin);
+        let _ = self.turns.push(turn);
+        Ok(())
+    }
+
+    /// The scene at a sample; `theta` has one entry per parameter.
+    pub fn sample<'s, A: Algebra<R>>(&'s self, theta: &'s [A]) -> Sample<'s, 'a, R, A> {
+        let mut sample = Sample::blank(self, theta);
+        sample.settle();
         sample
     }
 
@@ -114,28 +129,52 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
             .map_or(R::ZERO, |value| R::from_f64(*value))
     }
 
-    fn fixed_frame(&self, point: &Point<'_>) -> Frame3<R> {
-        let base = match point.base {
-            Base::World => Frame3::identity(),
-            Base::Object(object) => self.object_frame(object),
-            Base::Point(p) => self.frame(p).copied().unwrap_or_else(Frame3::identity),
-        };
-        let terms = |ids: [Option<NodeId>; 3]| ids.map(|id| self.offset_term::<R>(id, &[]));
-        let turned = turned(base, point.turn, terms(point.turn));
-        if point.offset == [None; 3] {
-            return turned;
-        }
-        turned.shifted(terms(point.offset))
-    }
-
-    fn object_frame(&self, object: u8) -> Frame3<R> {
+    fn object_origin(&self, object: u8) -> [R; 3] {
+        let mut origin = [R::ZERO; 3];
         let pose = self.domain.pose_slots(object);
-        let read = |slot: Option<u8>| slot.map_or(R::ZERO, |s| self.slot(s));
-        Frame3::new(pose.position.map(read), pose.angles.map(read))
+        for (coordinate, slot) in origin.iter_mut().zip(&pose.position) {
+            if let Some(slot) = slot {
+                *coordinate = self.slot(*slot);
+            }
+        }
+        origin
     }
 
-    fn frame(&self, point: u8) -> Option<&Frame3<R>> {
-        self.frames.get(self.points.fixed.rank(point))
+    fn object_rotation(&self, object: u8) -> Rotation<R> {
+        let read = |slot: Option<u8>| slot.map_or(R::ZERO, |slot| self.slot(slot));
+        match self.domain.pose_slots(object).angles {
+            [None, None, None] => Rotation::None,
+            [Some(yaw), None, None] => Rotation::planar(self.slot(yaw)),
+            // An absent member has none, and no room is kept for it.
+            angles => match angles.map(read) {
+                angles if angles.iter().all(|a| a.is_finite()) => Rotation::new(angles),
+                _ => Rotation::None,
+            },
+        }
+    }
+
+    /// How the object of a point is turned. The points of its shape are turned as it is
+    /// itself, which needs no second rotation.
+    fn object_turn(&mut self, point: &Point<'_>, object: u8) -> Result<Turn, Error> {
+        if !is_zero(&point.offset) {
+            let earlier = self.points.fixed.iter().zip(&self.turns);
+            for (index, turn) in earlier {
+                let other = self.domain.points().get(usize::from(index));
+                if other.is_some_and(|p| p.base == point.base && is_zero(&p.turn)) {
+                    return Ok(*turn);
+                }
+            }
+        }
+        Turn::keep(&self.object_rotation(object), &mut self.rotations)
+    }
+
+    /// Where a point is, and how it is turned.
+    fn placed(&self, point: u8) -> ([R; 3], Turn) {
+        let rank = self.points.fixed.rank(point);
+        match (self.origins.get(rank), self.turns.get(rank)) {
+            (Some(origin), Some(turn)) => (*origin, *turn),
+            _ => ([R::NAN; 3], Turn::Unknown),
+        }
     }
 
     /// The value of an offset or turn; these never speak about points.
@@ -144,13 +183,53 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
             return A::constant(R::ZERO);
         };
         let term = |id| self.offset_term(Some(id), theta);
-        match node_at(self.domain.nodes(), id) {
-            Ok(Node::Sum(a, b)) => term(a).plus(term(b)),
-            Ok(Node::Difference(a, b)) => term(a).minus(term(b)),
-            Ok(Node::Product(a, b)) => term(a).times(term(b)),
-            Ok(Node::Parameter(p)) => parameter(theta, p),
-            Ok(leaf) => A::constant(self.settled(leaf)),
-            Err(_) => A::unknown(),
+        match self.domain.nodes().get(usize::from(id.0)) {
+            Some(Node::Sum(a, b)) => term(*a).plus(term(*b)),
+            Some(Node::Difference(a, b)) => term(*a).minus(term(*b)),
+            Some(Node::Product(a, b)) => term(*a).times(term(*b)),
+            Some(Node::Parameter(p)) => parameter(theta, *p),
+            Some(leaf) => A::constant(self.settled(leaf)),
+            None => A::unknown(),
+        }
+    }
+
+    /// Moves a point along the axes of a rotation, leaving out what is zero.
+    fn advance<A: Algebra<R>>(
+        &self,
+        [x, y, z]: &mut [A; 3],
+        rotation: &Rotation<R>,
+        offset: &[Option<NodeId>; 3],
+        theta: &[A],
+    ) {
+        let steps = offset.map(|id| id.map(|_| self.offset_term(id, theta)));
+        let add = |coordinate: &mut A, step: A, entry: R| {
+            *coordinate = coordinate.plus(step.scaled(entry));
+        };
+        let [along_x, along_y, along_z] = steps;
+        let [cos, sin] = match rotation {
+            Rotation::None => [R::ONE, R::ZERO],
+            Rotation::Planar(direction) => *direction,
+            Rotation::Tilted(rows) => {
+                for (coordinate, row) in [x, y, z].into_iter().zip(rows) {
+                    for (step, entry) in steps.iter().zip(row) {
+                        if let Some(step) = step {
+                            add(coordinate, *step, *entry);
+                        }
+                    }
+                }
+                return;
+            }
+        };
+        if let Some(step) = along_x {
+            add(x, step, cos);
+            add(y, step, sin);
+        }
+        if let Some(step) = along_y {
+            add(x, step, -sin);
+            add(y, step, cos);
+        }
+        if let Some(step) = along_z {
+            *z = z.plus(step);
         }
     }
 
@@ -162,8 +241,8 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
     }
 
     /// The value of a leaf that needs no sample and no pose.
-    fn settled(&self, leaf: Node) -> R {
-        match leaf {
+    fn settled(&self, leaf: &Node) -> R {
+        match *leaf {
             Node::Number(value) => R::from_f64(value),
             Node::Attribute(slot) => self.slot(slot),
             Node::Constant(i) => {
@@ -190,20 +269,53 @@ impl<'a, R: Real, const POINTS: usize> Scene<'a, R, POINTS> {
 
 /// A scene at one sample: the sample points have their places.
 #[derive(Clone, Debug)]
-pub struct Sample<'s, 'a, R, A, const POINTS: usize = MAX_POINTS> {
-    scene: &'s Scene<'a, R, POINTS>,
+pub struct Sample<'s, 'a, R, A> {
+    scene: &'s Scene<'a, R>,
     theta: &'s [A],
     placed: Vec<Placed<A>, MAX_SAMPLE_POINTS>,
-    /// Of the points that are turned; only their rotation counts.
-    frames: Vec<Frame3<R>, MAX_SAMPLE_POINTS>,
+    /// Of the points that are turned.
+    rotations: Vec<R, { 9 * MAX_SAMPLE_POINTS }>,
 }
 
-impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
+impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
+    /// As [`Scene::sample`], to be completed in place by [`Sample::settle`], which saves
+    /// moving the points.
+    pub(crate) fn blank(scene: &'s Scene<'a, R>, theta: &'s [A]) -> Self {
+        Sample {
+            scene,
+            theta,
+            placed: Vec::new(),
+            rotations: Vec::new(),
+        }
+    }
+
+    pub(crate) fn settle(&mut self) {
+        for index in self.scene.points.sampled.iter() {
+            if let Some(point) = self.scene.domain.points().get(usize::from(index)) {
+                let placed = self.place(point);
+                // There is room: the scene counted the points.
+                let _ = self.placed.push(placed);
+            }
+        }
+    }
+
     /// The value of an expression.
     pub fn measure(&self, nodes: &[Node], id: NodeId) -> A::Measure {
-        match node_at(nodes, id) {
-            Ok(node) => self.node(node, |id| self.measure(nodes, id)),
-            Err(_) => A::Measure::unknown(),
+        match nodes.get(usize::from(id.0)) {
+            Some(node) => self.node(*node, |id| self.measure(nodes, id)),
+            None => A::Measure::unknown(),
+        }
+    }
+
+    /// The first of two expressions minus the second, which mostly is a mere number.
+    pub(crate) fn difference(&self, nodes: &[Node], [left, right]: [NodeId; 2]) -> A::Measure {
+        let mut left = self.measure(nodes, left);
+        match nodes.get(usize::from(right.0)) {
+            Some(term @ (Node::Number(_) | Node::Constant(_) | Node::Attribute(_))) => {
+                left.lower(self.scene.settled(term));
+                left
+            }
+            _ => left.minus(self.measure(nodes, right)),
         }
     }
 
@@ -215,10 +327,11 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
         id: NodeId,
         chosen: &impl Fn(NodeId) -> Option<usize>,
     ) -> A::Measure {
-        let term = match (node_at(nodes, id), chosen(id)) {
-            (Ok(Node::Extreme(_, relation)), Some(place)) => self.scene.terms(relation).nth(place),
-            (Ok(node), _) => Some(node),
-            (Err(_), _) => None,
+        let term = match (nodes.get(usize::from(id.0)), chosen(id)) {
+            (Some(Node::Extreme(_, relation)), Some(place)) => {
+                self.scene.terms(*relation).nth(place)
+            }
+            (node, _) => node.copied(),
         };
         term.map_or_else(A::Measure::unknown, |node| {
             self.node(node, |id| self.measure_choosing(nodes, id, chosen))
@@ -249,10 +362,11 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
             Node::Angle(a, b) => self.angle(a, b),
             Node::VertexAngle(a, vertex, b) => self.vertex_angle(a, vertex, b),
             Node::Extreme(extreme, relation) => self.extreme(extreme, relation),
-            settled => A::Measure::constant(self.scene.settled(settled)),
+            settled => A::Measure::constant(self.scene.settled(&settled)),
         }
     }
 
+    #[inline(never)]
     fn extreme(&self, extreme: Extreme, relation: Relation) -> A::Measure {
         let values = self.scene.terms(relation).map(|term| self.leaf(term));
         values
@@ -261,11 +375,10 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
     }
 
     fn coordinate(&self, coordinate: Coordinate, point: u8) -> A::Measure {
-        let [x, y, z] = self.origin(point);
         match coordinate {
-            Coordinate::X => x.measure(),
-            Coordinate::Y => y.measure(),
-            Coordinate::Z => z.measure(),
+            Coordinate::X => self.along(0, point).measure(),
+            Coordinate::Y => self.along(1, point).measure(),
+            Coordinate::Z => self.along(2, point).measure(),
             Coordinate::Theta => match self.heading(point) {
                 Some([x, y, _]) => A::Measure::constant(y.atan2(x)),
                 None => A::Measure::unknown(),
@@ -274,14 +387,17 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
     }
 
     fn distance(&self, metric: Metric, a: u8, b: u8) -> A::Measure {
-        let ([ax, ay, az], [bx, by, bz]) = (self.origin(a), self.origin(b));
         let zero = A::constant(R::ZERO);
-        match metric {
-            Metric::X => A::norm([ax.minus(bx), zero, zero]),
-            Metric::Y => A::norm([ay.minus(by), zero, zero]),
-            Metric::Z => A::norm([az.minus(bz), zero, zero]),
-            Metric::Straight => A::norm([ax.minus(bx), ay.minus(by), az.minus(bz)]),
-        }
+        let axis = match metric {
+            Metric::X => 0,
+            Metric::Y => 1,
+            Metric::Z => 2,
+            Metric::Straight => {
+                let ([ax, ay, az], [bx, by, bz]) = (self.origin(a), self.origin(b));
+                return A::norm([ax.minus(bx), ay.minus(by), az.minus(bz)]);
+            }
+        };
+        A::norm([self.along(axis, a).minus(self.along(axis, b)), zero, zero])
     }
 
     fn angle(&self, a: u8, b: u8) -> A::Measure {
@@ -292,6 +408,7 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
         }
     }
 
+    #[inline(never)]
     fn vertex_angle(&self, a: u8, vertex: u8, b: u8) -> A::Measure {
         let at = self.origin(vertex);
         let [to_a, to_b] = [a, b].map(|point| {
@@ -312,106 +429,113 @@ impl<R: Real, A: Algebra<R>, const POINTS: usize> Sample<'_, '_, R, A, POINTS> {
     fn origin(&self, point: u8) -> [A; 3] {
         match self.placed(point) {
             Some(placed) => placed.origin,
+            None => self.scene.placed(point).0.map(A::constant),
+        }
+    }
+
+    /// One coordinate of a point, by the number of the axis.
+    fn along(&self, axis: usize, point: u8) -> A {
+        let known = match self.placed(point) {
+            Some(placed) => placed.origin.get(axis).copied(),
             None => {
-                let frame = self.scene.frame(point);
-                frame.map_or([A::unknown(); 3], |f| f.origin().map(A::constant))
+                let origin = self.scene.origins.get(self.scene.points.fixed.rank(point));
+                let known = origin.and_then(|origin| origin.get(axis));
+                known.map(|value| A::constant(*value))
+            }
+        };
+        known.unwrap_or_else(A::unknown)
+    }
+
+    /// A point that others are placed in.
+    fn base(&self, point: u8) -> Placed<A> {
+        match self.placed(point) {
+            Some(placed) => *placed,
+            None => {
+                let (origin, turn) = self.scene.placed(point);
+                Placed {
+                    origin: origin.map(A::constant),
+                    turn,
+                    turns_itself: false,
+                }
             }
         }
+    }
+
+    /// The list that a turn is one of.
+    fn list(&self, own: bool) -> &[R] {
+        if own {
+            &self.rotations
+        } else {
+            &self.scene.rotations
+        }
+    }
+
+    /// The rotation of a point, if it is known.
+    fn rotation(&self, placed: &Placed<A>) -> Option<Rotation<R>> {
+        placed.turn.rotation(self.list(placed.turns_itself))
     }
 
     /// The direction of a point's x axis, if it is known.
     fn heading(&self, point: u8) -> Option<[R; 3]> {
-        let turn = self.placed(point).map_or(Turn::As(point), |p| p.turn);
-        let world = Frame3::identity();
-        let [[x, ..], [y, ..], [z, ..]] = self.frame_of(turn, &world)?.rotation();
-        Some([x, y, z])
-    }
-
-    /// The frame whose rotation a turn names.
-    fn frame_of<'f>(&'f self, turn: Turn, world: &'f Frame3<R>) -> Option<&'f Frame3<R>> {
-        match turn {
-            Turn::World => Some(world),
-            Turn::As(point) => self.scene.frame(point),
-            Turn::Own(index) => self.frames.get(usize::from(index)),
-            Turn::Unknown => None,
-        }
+        Some(self.rotation(&self.base(point))?.heading())
     }
 
     /// Turns and moves a sample point in the frame it is placed in.
+    #[inline(never)]
     fn place(&mut self, point: &Point<'_>) -> Placed<A> {
-        let (origin, base_turn) = match point.base {
-            Base::World => ([A::constant(R::ZERO); 3], Turn::World),
-            Base::Object(object) => {
-                let frame = self.scene.object_frame(object);
-                (frame.origin().map(A::constant), self.own(frame))
-            }
-            Base::Point(p) => {
-                let turn = self.placed(p).map_or(Turn::As(p), |placed| placed.turn);
-                (self.origin(p), turn)
-            }
+        let mut placed = match point.base {
+            Base::World => Placed {
+                origin: [A::constant(R::ZERO); 3],
+                turn: Turn::World,
+                turns_itself: false,
+            },
+            Base::Object(object) => Placed {
+                origin: self.scene.object_origin(object).map(A::constant),
+                turn: self.keep(&self.scene.object_rotation(object)),
+                turns_itself: true,
+            },
+            Base::Point(p) => self.base(p),
         };
-        let turn = if point.turn == [None; 3] {
-            base_turn
-        } else {
-            self.turned(base_turn, point.turn)
-        };
-        if point.offset == [None; 3] {
-            return Placed { origin, turn };
+        if !is_zero(&point.turn) {
+            placed.turn = self.turned(&placed, point.turn);
+            placed.turns_itself = true;
         }
-        let world = Frame3::identity();
-        let origin = match self.frame_of(turn, &world) {
-            Some(frame) => self.moved(origin, frame, point.offset),
-            None => [A::unknown(); 3],
-        };
-        Placed { origin, turn }
+        if !is_zero(&point.offset) {
+            match self.rotation(&placed) {
+                Some(rotation) => {
+                    let origin = &mut placed.origin;
+                    self.scene
+                        .advance(origin, &rotation, &point.offset, self.theta);
+                }
+                None => placed.origin = [A::unknown(); 3],
+            }
+        }
+        placed
     }
 
-    fn turned(&mut self, base: Turn, turn: [Option<NodeId>; 3]) -> Turn {
+    /// A turn that varies is unknown, unless the algebra is that of numbers.
+    fn turned(&mut self, base: &Placed<A>, turn: [Option<NodeId>; 3]) -> Turn {
         let angles = turn.map(|id| self.scene.offset_term(id, self.theta).known());
-        let world = Frame3::identity();
-        match (self.frame_of(base, &world), angles) {
-            (Some(frame), [Some(yaw), Some(pitch), Some(roll)]) => {
-                let inner = Frame3::new([R::ZERO; 3], [yaw, pitch, roll]);
-                let frame = frame.compose(&inner);
-                self.own(frame)
+        match (self.rotation(base), angles) {
+            (Some(base), [Some(yaw), Some(pitch), Some(roll)]) => {
+                self.keep(&base.compose(&Rotation::new([yaw, pitch, roll])))
             }
             _ => Turn::Unknown,
         }
     }
 
-    /// Keeps a frame; there is room for one of each sample point.
-    fn own(&mut self, frame: Frame3<R>) -> Turn {
-        let index = self.frames.len();
-        match (self.frames.push(frame), u8::try_from(index)) {
-            (Ok(()), Ok(index)) => Turn::Own(index),
-            _ => Turn::Unknown,
-        }
+    /// Keeps a rotation; there is room for one of each sample point.
+    fn keep(&mut self, rotation: &Rotation<R>) -> Turn {
+        Turn::keep(rotation, &mut self.rotations).unwrap_or(Turn::Unknown)
     }
+}
 
-    /// `origin + rotation * offset`, leaving out the components that are zero.
-    fn moved(&self, mut origin: [A; 3], frame: &Frame3<R>, offset: [Option<NodeId>; 3]) -> [A; 3] {
-        for (axis, term) in frame.axes().into_iter().zip(offset) {
-            if term.is_none() {
-                continue;
-            }
-            let step = self.scene.offset_term(term, self.theta);
-            for (coordinate, entry) in origin.iter_mut().zip(axis) {
-                *coordinate = coordinate.plus(A::constant(entry).times(step));
-            }
-        }
-        origin
-    }
+/// Whether an offset or turn is none.
+fn is_zero(terms: &[Option<NodeId>; 3]) -> bool {
+    terms.iter().all(Option::is_none)
 }
 
 fn parameter<R: Real, A: Algebra<R>>(theta: &[A], index: u8) -> A {
     let value = theta.get(usize::from(index)).copied();
     value.unwrap_or_else(A::unknown)
-}
-
-/// The frame turned about its own origin, at no cost where nothing turns.
-fn turned<R: Real>(frame: Frame3<R>, declared: [Option<NodeId>; 3], angles: [R; 3]) -> Frame3<R> {
-    if declared == [None; 3] {
-        return frame;
-    }
-    frame.compose(&Frame3::new([R::ZERO; 3], angles))
 }

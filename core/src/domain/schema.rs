@@ -406,9 +406,13 @@ impl<'t> Domain<'t> {
     }
 
     /// Which attributes of an object place it.
-    pub(super) fn pose_slots(&self, object: u8) -> PoseSlots {
+    pub(super) fn pose_slots(&self, object: u8) -> &PoseSlots {
+        const NONE: PoseSlots = PoseSlots {
+            position: [None; 3],
+            angles: [None; 3],
+        };
         let object = self.objects.get(usize::from(object));
-        object.map_or_else(PoseSlots::default, |o| o.pose)
+        object.map_or(&NONE, |o| &o.pose)
     }
 }
 

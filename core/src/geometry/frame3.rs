@@ -1,6 +1,7 @@
 //! Frames of space (thesis 2.1, Eq 2.6 to 2.11).
 
 use super::Vector3;
+use super::rotation::{Rotation, product, transpose};
 use crate::real::Real;
 
 /// A frame of reference in space: where its origin lies in the parent frame, and
@@ -24,29 +25,18 @@ pub struct Frame3<R> {
 
 impl<R: Real> Frame3<R> {
     /// The frame at `origin`, turned by `[yaw, pitch, roll]` radians.
-    pub fn new(origin: Vector3<R>, [yaw, pitch, roll]: [R; 3]) -> Self {
-        let (sa, ca) = yaw.sin_cos();
-        if pitch == R::ZERO && roll == R::ZERO {
-            let (o, i) = (R::ZERO, R::ONE);
-            let rotation = [[ca, -sa, o], [sa, ca, o], [o, o, i]];
-            return Frame3 { origin, rotation };
+    pub fn new(origin: Vector3<R>, angles: [R; 3]) -> Self {
+        Frame3 {
+            origin,
+            rotation: Rotation::new(angles).rows(),
         }
-        let (sb, cb) = pitch.sin_cos();
-        let (sc, cc) = roll.sin_cos();
-        let rotation = [
-            [ca * cb, ca * sb * sc - sa * cc, ca * sb * cc + sa * sc],
-            [sa * cb, sa * sb * sc + ca * cc, sa * sb * cc - ca * sc],
-            [-sb, cb * sc, cb * cc],
-        ];
-        Frame3 { origin, rotation }
     }
 
     /// The parent frame itself.
     pub fn identity() -> Self {
-        let (o, i) = (R::ZERO, R::ONE);
         Frame3 {
-            origin: [o; 3],
-            rotation: [[i, o, o], [o, i, o], [o, o, i]],
+            origin: [R::ZERO; 3],
+            rotation: Rotation::None.rows(),
         }
     }
 
@@ -62,7 +52,7 @@ impl<R: Real> Frame3<R> {
 
     /// Its x, y and z axis in the parent frame: the columns of the rotation.
     pub fn axes(&self) -> [Vector3<R>; 3] {
-        transpose(self.rotation)
+        transpose(&self.rotation)
     }
 
     /// Its `[yaw, pitch, roll]` in the parent frame; pitch in `[-pi/2, pi/2]`,
@@ -94,7 +84,7 @@ impl<R: Real> Frame3<R> {
     /// A point of the parent frame in this frame: the inverse of [`Self::apply`].
     pub fn to_local(&self, point: Vector3<R>) -> Vector3<R> {
         let offset = add(point, self.origin.map(|x| -x));
-        transpose(self.rotation).map(|row| dot(row, offset))
+        transpose(&self.rotation).map(|row| dot(row, offset))
     }
 
     /// This frame with its origin at `point`, a point of its own.
@@ -108,12 +98,9 @@ impl<R: Real> Frame3<R> {
     /// The frame that lies in this one as `inner` lies in its parent; the product
     /// of the two matrices.
     pub fn compose(&self, inner: &Self) -> Self {
-        let columns = transpose(inner.rotation);
         Frame3 {
             origin: self.apply(inner.origin),
-            rotation: self
-                .rotation
-                .map(|row| columns.map(|column| dot(row, column))),
+            rotation: product(&self.rotation, &inner.rotation),
         }
     }
 
@@ -121,7 +108,7 @@ impl<R: Real> Frame3<R> {
     pub fn inverse(&self) -> Self {
         Frame3 {
             origin: self.to_local([R::ZERO; 3]),
-            rotation: transpose(self.rotation),
+            rotation: transpose(&self.rotation),
         }
     }
 
@@ -140,8 +127,4 @@ pub(super) fn add<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> Vect
 
 pub(super) fn dot<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> R {
     a * x + b * y + c * z
-}
-
-fn transpose<R>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 3]; 3] {
-    [[a, d, g], [b, e, h], [c, f, i]]
 }

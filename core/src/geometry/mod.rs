@@ -10,12 +10,14 @@ mod cuboid;
 mod frame2;
 mod frame3;
 mod intersect;
+mod rotation;
 mod shape;
 
 pub use cuboid::Cuboid;
 pub use frame2::Frame2;
 pub use frame3::Frame3;
 pub use intersect::Intersects;
+pub(crate) use rotation::Rotation;
 pub use shape::{Circle, Rectangle, Segment};
 
 use crate::real::Real;

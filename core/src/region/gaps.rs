@@ -6,7 +6,6 @@
 //! constraint can change its mind. In between, and for the question whether the
 //! members of a root are the ones that count, the constraint itself is evaluated.
 
-use super::MAX_REGION_POINTS;
 use crate::domain::{Arithmetic, Curve, Line, MAX_PARAMETERS, Node, NodeId, Sample, Scene};
 use crate::grammar::{Comparison, Constraint};
 use crate::real::Real;
@@ -18,10 +17,11 @@ const MAX_EXTREMES: usize = 4;
 const MAX_CHOICES: usize = 1024;
 
 /// Positions on a line of parameters, as numbers and as a line.
+#[derive(Clone, Copy)]
 pub(super) struct Along<'s, 'a, R> {
-    pub(super) scene: &'s Scene<'a, R, MAX_REGION_POINTS>,
-    pub(super) theta: &'s [Line<R>; MAX_PARAMETERS],
-    pub(super) sample: &'s Sample<'s, 'a, R, Line<R>, MAX_REGION_POINTS>,
+    pub(super) scene: &'s Scene<'a, R>,
+    pub(super) theta: &'s [Line<R>],
+    pub(super) sample: &'s Sample<'s, 'a, R, Line<R>>,
 }
 
 /// A constraint along a line.
@@ -76,12 +76,15 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
     /// Whether the two sides are equal at `t` but for rounding.
     pub(super) fn is_near_zero(&self, t: R) -> bool {
         let [left, right] = self.sides(t);
-        let tolerance = R::EPSILON.sqrt() * (R::ONE + left.abs() + right.abs());
+        let tolerance = R::SQRT_EPSILON * (R::ONE + left.abs() + right.abs());
         (left - right).abs() <= tolerance
     }
 
     fn sides(&self, t: R) -> [R; 2] {
-        let theta = self.along.theta.map(|line| line.at + line.slope * t);
+        let mut theta = [R::ZERO; MAX_PARAMETERS];
+        for (value, line) in theta.iter_mut().zip(self.along.theta) {
+            *value = line.value(t);
+        }
         let sample = self.along.scene.sample::<R>(&theta);
         [self.constraint.left, self.constraint.right].map(|id| sample.measure(self.nodes, id))
     }

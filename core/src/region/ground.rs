@@ -2,9 +2,9 @@
 
 use super::Region;
 use super::interval::IntervalSet;
-use super::parameters::{ParameterSet, Vector, single};
+use super::parameters::{ParameterSet, Vector};
 use super::slice::slice;
-use crate::domain::{Arithmetic, Domain, MAX_PARAMETERS, Parameter, Range, Scene};
+use crate::domain::{Arithmetic, Domain, MAX_PARAMETERS, Parameter, Range, Sample, Scene};
 use crate::error::Error;
 use crate::grammar::{Comparison, Truth};
 use crate::real::Real;
@@ -14,14 +14,10 @@ use crate::real::Real;
 pub struct Grounded<'a, R> {
     region: &'a Region,
     domain: &'a Domain<'a>,
-    scene: Scene<'a, R, MAX_REGION_POINTS>,
+    scene: Scene<'a, R>,
     /// What is admitted of the only parameter, if there is only one.
     set: IntervalSet<R>,
 }
-
-/// Most points that the constraints of a region refer to, with the points these
-/// are placed in, those of every member of a group counted.
-pub const MAX_REGION_POINTS: usize = 32;
 
 impl<'a, R: Real> Grounded<'a, R> {
     pub(super) fn new(
@@ -53,14 +49,8 @@ impl<'a, R: Real> Grounded<'a, R> {
             return Ok(());
         };
         let ends = [parameter.low, parameter.high].map(R::from_f64);
-        let (origin, direction) = (single(R::ZERO), single(R::ONE));
-        slice(
-            self.region,
-            &self.scene,
-            [&origin, &direction],
-            ends,
-            &mut self.set,
-        )
+        let line: [&[R]; 2] = [&[R::ZERO], &[R::ONE]];
+        slice(self.region, &self.scene, line, ends, &mut self.set)
     }
 
     fn parameters(&self) -> &'a [Parameter<'a>] {
@@ -124,7 +114,8 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
         if self.parameters().len() == 1 && self.set.is_exact() {
             return Ok(self.set.contains(*first));
         }
-        let sample = self.scene.sample::<R>(theta);
+        let mut sample = Sample::blank(&self.scene, theta);
+        sample.settle();
         let nodes = self.region.formula.nodes();
         Ok(self.region.formula.holds(|c| {
             let left = sample.measure(nodes, c.left);
@@ -142,6 +133,7 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
         ends: [R; 2],
         set: &mut IntervalSet<R>,
     ) -> Result<(), Error> {
+        let line = line.map(Vector::as_slice);
         slice(self.region, &self.scene, line, ends, set)
     }
 
@@ -153,13 +145,13 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
                 high: *high,
             };
         }
-        let sample = self.scene.sample::<Range<R>>(&theta);
+        let mut sample = Sample::blank(&self.scene, &theta);
+        sample.settle();
         let nodes = self.region.formula.nodes();
-        let truth = self.region.formula.truth(|c| {
-            let left = sample.measure(nodes, c.left);
-            let gap = left.minus(sample.measure(nodes, c.right));
-            range_truth(c.comparison, gap)
-        });
+        let truth = self
+            .region
+            .formula
+            .truth(|c| range_truth(c.comparison, sample.difference(nodes, [c.left, c.right])));
         Ok(!truth.may_hold)
     }
 }

@@ -5,10 +5,11 @@ use crate::grammar::MAX_CONSTRAINTS;
 use crate::real::Real;
 use heapless::Vec;
 
-/// Most ends that the constraints of a region can have along a line: two each on
-/// average, and the two ends of the line. One that speaks of a group can have more,
-/// two for each member; if all do, there may be no room.
-pub(super) const MAX_BREAKS: usize = 2 * MAX_CONSTRAINTS + 2;
+/// Most intervals of a set: each constraint of a region has two roots on average, and
+/// these and the ends of the line are their ends. There can be more if a constraint
+/// speaks of a group, or where an interval starts at the end of another one; then there
+/// may be no room.
+const MAX_INTERVALS: usize = MAX_CONSTRAINTS + 1;
 
 /// All numbers between two ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +63,7 @@ impl<R: Real> Interval<R> {
 /// A set of numbers as sorted intervals that do not touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntervalSet<R> {
-    intervals: Vec<Interval<R>, MAX_BREAKS>,
+    intervals: Vec<Interval<R>, MAX_INTERVALS>,
     exact: bool,
 }
 

@@ -19,7 +19,7 @@ mod sample;
 mod slice;
 
 pub use bytes::SavedRegion;
-pub use ground::{Grounded, MAX_REGION_POINTS};
+pub use ground::Grounded;
 pub use intersection::{Intersection, Part};
 pub use interval::{Interval, IntervalSet};
 

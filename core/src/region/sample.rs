@@ -7,7 +7,7 @@ use super::interval::IntervalSet;
 use super::parameters::{ParameterSet, Vector, single};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
-use crate::random::uniform;
+use crate::random::uniform_real;
 use crate::real::Real;
 use rand_core::Rng;
 
@@ -56,12 +56,15 @@ pub(super) fn sample<R: Real>(
 ) -> Result<Theta, Error> {
     let found = match set.count() {
         0 | 1 if is_proven_empty(set)? => return Err(Error::EmptyRegion),
-        0 => Some([R::ZERO; MAX_PARAMETERS]),
-        1 => draw_from(set, set.set(), single, margin, rng)?,
-        _ => sample_several(set, margin, rng)?,
+        0 => [R::ZERO; MAX_PARAMETERS],
+        1 => draw_from(set, set.set(), single, margin, rng)?.ok_or(Error::NoSample)?,
+        _ => sample_several(set, margin, rng)?.ok_or(Error::NoSample)?,
     };
-    let theta = found.ok_or(Error::NoSample)?;
-    Ok(theta.map(R::to_f64))
+    let mut theta = [0.0; MAX_PARAMETERS];
+    for (value, found) in theta.iter_mut().zip(found).take(set.count()) {
+        *value = found.to_f64();
+    }
+    Ok(theta)
 }
 
 /// Whether it is proven that a set has no parameters; see
@@ -88,7 +91,7 @@ fn draw_from<R: Real>(
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Option<Vector<R>>, Error> {
     for _ in 0..REJECTIONS {
-        let Some(t) = set.quantile_inside(R::from_f64(uniform(rng)), margin) else {
+        let Some(t) = set.quantile_inside(uniform_real(rng), margin) else {
             return Ok(None);
         };
         let theta = along(t);
@@ -106,6 +109,8 @@ fn draw_from<R: Real>(
     Ok(None)
 }
 
+/// Not inlined: what it needs is not on the stack while a set is grounded.
+#[inline(never)]
 fn sample_several<R: Real>(
     parameters: &impl ParameterSet<R>,
     margin: R,
@@ -154,7 +159,7 @@ fn inside<R: Real>(
 ) -> Vector<R> {
     let mut theta = *low;
     for (value, high) in theta.iter_mut().zip(high).take(count) {
-        *value += (*high - *value) * R::from_f64(uniform(rng));
+        *value += (*high - *value) * uniform_real(rng);
     }
     theta
 }
@@ -170,7 +175,10 @@ fn step<R: Real>(
     let (low, high) = parameters.bounds();
     let sizes = low.iter().zip(&high).take(parameters.count());
     for (value, (low, high)) in direction.iter_mut().zip(sizes) {
-        *value = (*high - *low) * R::from_f64(2.0 * uniform(rng) - 1.0);
+        *value = (*high - *low) * {
+            let share: R = uniform_real(rng);
+            share + share - R::ONE
+        };
     }
     let (mut first, mut last) = (-R::INFINITY, R::INFINITY);
     let ranges = low.iter().zip(&high).zip(through.iter().zip(&direction));

@@ -1,14 +1,17 @@
 //! What a region admits along a line of parameters, exactly.
 
+use super::Region;
 use super::gaps::{Along, Gaps};
-use super::interval::{Builder, IntervalSet, MAX_BREAKS};
-use super::parameters::Vector;
-use super::{MAX_REGION_POINTS, Region};
-use crate::domain::{Arithmetic, Curve, Line, MAX_PARAMETERS, Scene};
+use super::interval::{Builder, IntervalSet};
+use crate::domain::{Curve, Line, MAX_PARAMETERS, Node, Sample, Scene};
 use crate::error::Error;
-use crate::grammar::{Comparison, MAX_CONSTRAINTS};
+use crate::grammar::{Comparison, Constraint, Formula, MAX_CONSTRAINTS};
 use crate::real::Real;
 use heapless::Vec;
+
+/// Most roots of the constraints of a region: two each on average. One that speaks of a
+/// group can have more, two for each member; if all do, there may be no room.
+const MAX_BREAKS: usize = 2 * MAX_CONSTRAINTS;
 
 /// Sets `set` to the admitted positions `t` between two ends on the line
 /// `origin + t * direction`.
@@ -18,64 +21,57 @@ use heapless::Vec;
 /// equality. Where a constraint has no closed form the set is too large.
 pub(super) fn slice<R: Real>(
     region: &Region,
-    scene: &Scene<'_, R, MAX_REGION_POINTS>,
-    [origin, direction]: [&Vector<R>; 2],
-    [low, high]: [R; 2],
+    scene: &Scene<'_, R>,
+    [origin, direction]: [&[R]; 2],
+    ends: [R; 2],
     set: &mut IntervalSet<R>,
 ) -> Result<(), Error> {
-    let mut theta = [Line::constant(R::ZERO); MAX_PARAMETERS];
-    for ((line, at), slope) in theta.iter_mut().zip(origin).zip(direction) {
-        *line = Line {
-            at: *at,
-            slope: *slope,
-        };
+    let mut theta: Vec<Line<R>, MAX_PARAMETERS> = Vec::new();
+    for (at, slope) in origin.iter().zip(direction) {
+        let (at, slope) = (*at, *slope);
+        // There is room: no action has more parameters.
+        let _ = theta.push(Line { at, slope });
     }
-    let sample = scene.sample::<Line<R>>(&theta);
-    let formula = &region.formula;
-    let mut cut = Cut::new(low, high)?;
-    for (index, constraint) in formula.constraints().iter().enumerate() {
-        let bit = 1u32.checked_shl(index as u32).unwrap_or(0);
-        let left = sample.measure(formula.nodes(), constraint.left);
-        let curve = left.minus(sample.measure(formula.nodes(), constraint.right));
-        if curve.is_finite() {
-            cut.add(bit, &curve, constraint.comparison)?;
-        } else {
-            let along = Along {
-                scene,
-                theta: &theta,
-                sample: &sample,
-            };
-            match Gaps::new(along, formula.nodes(), constraint) {
-                Some(gaps) => cut.add_extremes(bit, &gaps)?,
-                None => cut.add_unknown(bit),
-            }
-        }
-    }
-    let unknown = cut.first.hold & cut.first.fail;
-    let mut builder = Builder::new(set, unknown == 0);
-    // Most regions are conjunctions: all bits set is all there is to know.
-    let all = formula.conjunction();
-    let truth = |masks: Masks| match all {
-        Some(all) => masks.hold == all,
-        None => formula.truth_of_masks(masks.hold, masks.fail).may_hold,
+    let mut sample = Sample::blank(scene, &theta);
+    sample.settle();
+    let along = Along {
+        scene,
+        theta: &theta,
+        sample: &sample,
     };
-    let mut masks = cut.first;
-    for own in &cut.breaks {
-        let here = truth(masks.with(own.owners, cut.admit_equal));
-        masks = masks.with(own.owners, own.then_hold);
-        builder.step(own.at, here, own.at < high && truth(masks))?;
-    }
-    Ok(())
+    cut(&region.formula, along, ends, set)
 }
 
-/// A root of constraints, or an end of the line.
+/// Cuts a line at the roots of a formula's constraints. Not inlined: its breaks are not
+/// on the stack while points are placed.
+#[inline(never)]
+fn cut<R: Real>(
+    formula: &Formula,
+    along: Along<'_, '_, R>,
+    ends: [R; 2],
+    set: &mut IntervalSet<R>,
+) -> Result<(), Error> {
+    let nodes = formula.nodes();
+    let mut cut = Cut::new(ends);
+    for (owner, constraint) in (0u8..).zip(formula.constraints()) {
+        let sides = [constraint.left, constraint.right];
+        let curve = along.sample.difference(nodes, sides);
+        if curve.is_finite() {
+            cut.add(owner, &curve, constraint.comparison)?;
+        } else {
+            cut.add_gaps(owner, along, nodes, constraint)?;
+        }
+    }
+    cut.write(formula, set)
+}
+
+/// Whose a root is.
 #[derive(Clone, Copy)]
-struct Break<R> {
-    at: R,
-    /// A bit for each constraint that has a root here.
-    owners: u32,
-    /// Those of them that hold behind it.
-    then_hold: u32,
+struct Root {
+    /// Index of the constraint.
+    owner: u8,
+    /// Whether it holds behind it.
+    then_holds: bool,
 }
 
 /// Which constraints may hold and which may fail, a bit each.
@@ -95,133 +91,166 @@ impl Masks {
     }
 }
 
+/// The bit of a constraint.
+fn bit(owner: u8) -> u32 {
+    1u32.wrapping_shl(u32::from(owner))
+}
+
 const _: () = assert!(MAX_CONSTRAINTS <= 32, "masks have a bit per constraint");
 
 /// A line cut at the roots of constraints.
 struct Cut<R> {
+    ends: [R; 2],
     /// What holds before the first root.
     first: Masks,
     /// Constraints that hold where their two sides are equal.
     admit_equal: u32,
-    /// The ends of the line and the roots between them, ascending.
-    breaks: Vec<Break<R>, MAX_BREAKS>,
+    /// Where there are roots between the ends, ascending.
+    breaks: Vec<R, MAX_BREAKS>,
+    /// Whose they are. A list of its own, which needs less room than pairs.
+    roots: Vec<Root, MAX_BREAKS>,
 }
 
 impl<R: Real> Cut<R> {
-    fn new(low: R, high: R) -> Result<Self, Error> {
-        let mut cut = Cut {
+    fn new(ends: [R; 2]) -> Self {
+        Cut {
+            ends,
             first: Masks::default(),
             admit_equal: 0,
             breaks: Vec::new(),
-        };
-        for at in [low, high] {
-            cut.insert(Break {
-                at,
-                owners: 0,
-                then_hold: 0,
-            })?;
+            roots: Vec::new(),
         }
-        Ok(cut)
-    }
-
-    /// The ends of the line.
-    fn ends(&self) -> (R, R) {
-        let at = |end: Option<&Break<R>>| end.map_or(R::ZERO, |b| b.at);
-        (at(self.breaks.first()), at(self.breaks.last()))
     }
 
     /// Cuts at the roots of a constraint, and evaluates it once between them.
-    fn add(&mut self, bit: u32, curve: &Curve<R>, comparison: Comparison) -> Result<(), Error> {
+    #[inline(never)]
+    fn add(&mut self, owner: u8, curve: &Curve<R>, comparison: Comparison) -> Result<(), Error> {
+        let [low, high] = self.ends;
+        let inside = |t: R| low <= t && t <= high && curve.is_near_zero(t);
+        let holds_between = |a: R, b: R| {
+            let value = curve.value(middle(a, b));
+            comparison.holds(&value, &R::ZERO)
+        };
+        let [a, b] = roots(curve);
+        let [a, b] = if b < a { [b, a] } else { [a, b] };
+        let is_root = inside(a);
+        let mut end = high;
+        // One root that was found twice counts once: nothing lies between.
+        if inside(b) && !(is_root && a == b) {
+            self.insert(owner, b, holds_between(b, end))?;
+            end = b;
+        }
+        if is_root {
+            self.insert(owner, a, holds_between(a, end))?;
+            end = a;
+        }
+        self.begin(owner, comparison, holds_between(low, end));
+        Ok(())
+    }
+
+    /// Notes whether a constraint holds before its first root, and at them all.
+    fn begin(&mut self, owner: u8, comparison: Comparison, holds: bool) {
+        let bit = bit(owner);
         if comparison.admits_equal() {
             self.admit_equal |= bit;
         }
-        let (low, high) = self.ends();
-        let holds_between = |a: R, b: R| {
-            let value = curve.value(middle(a, b));
-            if comparison.holds(&value, &R::ZERO) {
-                bit
-            } else {
-                0
-            }
-        };
-        let inside = |t: &R| low <= *t && *t <= high && curve.is_near_zero(*t);
-        let [a, b] = roots(curve).map(|root| root.filter(inside));
-        let ordered = match (a, b) {
-            (Some(a), Some(b)) if b < a => [Some(b), Some(a)],
-            // One root that was found twice: nothing lies between.
-            (a, b) if a == b => [a, None],
-            (None, b) => [b, None],
-            both => both.into(),
-        };
-        let [first, second] = ordered;
-        self.first = self
-            .first
-            .with(bit, holds_between(low, first.unwrap_or(high)));
-        let ends = [second.unwrap_or(high), high];
-        for (root, end) in ordered.into_iter().zip(ends) {
-            if let Some(at) = root {
-                self.insert(Break {
-                    at,
-                    owners: bit,
-                    then_hold: holds_between(at, end),
-                })?;
-            }
-        }
-        Ok(())
+        *(if holds {
+            &mut self.first.hold
+        } else {
+            &mut self.first.fail
+        }) |= bit;
     }
 
     /// As [`Cut::add`] for a constraint with extremes: it is cut at the roots of all
     /// choices of members at which its sides are equal.
-    fn add_extremes(&mut self, bit: u32, gaps: &Gaps<'_, '_, R>) -> Result<(), Error> {
-        if gaps.comparison().admits_equal() {
-            self.admit_equal |= bit;
-        }
-        let (low, mut end) = self.ends();
+    fn add_extremes(&mut self, owner: u8, gaps: &Gaps<'_, '_, R>) -> Result<(), Error> {
+        let [low, mut end] = self.ends;
         for curve in gaps.curves() {
             let inside = |t: &R| low <= *t && *t <= end && curve.is_near_zero(*t);
             let equal = |t: &R| inside(t) && gaps.is_near_zero(*t);
-            for at in roots(&curve).into_iter().flatten().filter(equal) {
-                self.insert(Break {
-                    at,
-                    owners: bit,
-                    then_hold: 0,
-                })?;
+            for at in roots(&curve).into_iter().filter(equal) {
+                let mut known = self.breaks.iter().zip(&self.roots);
+                if !known.any(|(place, root)| root.owner == owner && *place == at) {
+                    self.insert(owner, at, false)?;
+                }
             }
         }
         let holds_between = |a: R, b: R| gaps.holds(middle(a, b));
-        for own in self.breaks.iter_mut().rev() {
-            if own.owners & bit != 0 {
-                own.then_hold |= if holds_between(own.at, end) { bit } else { 0 };
-                end = own.at;
-            }
+        let all = self.breaks.iter().zip(&mut self.roots).rev();
+        for (at, root) in all.filter(|(_, root)| root.owner == owner) {
+            root.then_holds = holds_between(*at, end);
+            end = *at;
         }
-        let holding = if holds_between(low, end) { bit } else { 0 };
-        self.first = self.first.with(bit, holding);
+        self.begin(owner, gaps.comparison(), holds_between(low, end));
         Ok(())
     }
 
-    /// Nothing is known of a constraint without closed form.
-    fn add_unknown(&mut self, bit: u32) {
-        self.first.hold |= bit;
-        self.first.fail |= bit;
-    }
-
-    /// Sorted insertion; breaks at one place become one.
-    fn insert(&mut self, new: Break<R>) -> Result<(), Error> {
-        let mut carried = new;
-        for slot in &mut self.breaks {
-            if carried.at == slot.at {
-                slot.owners |= carried.owners;
-                slot.then_hold |= carried.then_hold;
-                return Ok(());
-            }
-            if carried.at < slot.at {
-                core::mem::swap(slot, &mut carried);
+    /// As [`Cut::add`] for a constraint that is no single curve. Nothing is known of one
+    /// without closed form.
+    #[inline(never)]
+    fn add_gaps(
+        &mut self,
+        owner: u8,
+        along: Along<'_, '_, R>,
+        nodes: &[Node],
+        constraint: &Constraint,
+    ) -> Result<(), Error> {
+        match Gaps::new(along, nodes, constraint) {
+            Some(gaps) => self.add_extremes(owner, &gaps),
+            None => {
+                self.first.hold |= bit(owner);
+                self.first.fail |= bit(owner);
+                Ok(())
             }
         }
-        self.breaks
-            .push(carried)
-            .map_err(|_| Error::CapacityExceeded("intervals of a region"))
+    }
+
+    /// Sorted insertion.
+    fn insert(&mut self, owner: u8, at: R, then_holds: bool) -> Result<(), Error> {
+        const FULL: Error = Error::CapacityExceeded("intervals of a region");
+        let (mut at, mut root) = (at, Root { owner, then_holds });
+        for (place, other) in self.breaks.iter_mut().zip(&mut self.roots) {
+            if at < *place {
+                core::mem::swap(place, &mut at);
+                core::mem::swap(other, &mut root);
+            }
+        }
+        self.breaks.push(at).map_err(|_| FULL)?;
+        self.roots.push(root).map_err(|_| FULL)
+    }
+
+    /// Writes down where a formula holds.
+    #[inline(never)]
+    fn write(&self, formula: &Formula, set: &mut IntervalSet<R>) -> Result<(), Error> {
+        // Most regions are conjunctions: all bits set is all there is to know.
+        let all = formula.conjunction();
+        let truth = |masks: Masks| match all {
+            Some(all) => masks.hold == all,
+            None => formula.truth_of_masks(masks.hold, masks.fail).may_hold,
+        };
+        let mut masks = self.first;
+        let mut builder = Builder::new(set, masks.hold & masks.fail == 0);
+        let mut breaks = self.breaks.iter().zip(&self.roots);
+        let mut next = breaks.next();
+        let [mut at, high] = self.ends;
+        loop {
+            let (mut owners, mut then_hold) = (0, 0);
+            while let Some((place, root)) = next
+                && *place == at
+            {
+                owners |= bit(root.owner);
+                then_hold |= if root.then_holds { bit(root.owner) } else { 0 };
+                next = breaks.next();
+            }
+            let here = truth(masks.with(owners, self.admit_equal));
+            masks = masks.with(owners, then_hold);
+            let goes_on = at < high;
+            builder.step(at, here, goes_on && truth(masks))?;
+            if !goes_on {
+                return Ok(());
+            }
+            at = next.map_or(high, |(place, _)| *place);
+        }
     }
 }
 
@@ -229,20 +258,18 @@ fn middle<R: Real>(a: R, b: R) -> R {
     a + (b - a) * R::from_f64(0.5)
 }
 
-/// Where a curve may be zero: `line(t) = -factor * |vector(t)|`. A root of the
-/// squared equation need not be one of the curve.
-fn roots<R: Real>(curve: &Curve<R>) -> [Option<R>; 2] {
-    let Some(curve) = curve.without_angle() else {
-        return [None, None];
+/// Where a curve may be zero: `line(t) = -factor * |vector(t)|`; NaN or infinite for
+/// none. A root of the squared equation need not be one of the curve.
+fn roots<R: Real>(curve: &Curve<R>) -> [R; 2] {
+    let Some((Line { at: a, slope: b }, factor)) = curve.without_angle() else {
+        return [R::NAN; 2];
     };
-    let Line { at: a, slope: b } = curve.line;
-    if curve.factor == R::ZERO {
-        return [linear_root(a, b), None];
+    if factor == R::ZERO {
+        return [-a / b, R::NAN];
     }
-    let factor = curve.factor;
     let zero = |v: &Line<R>| v.at == R::ZERO && v.slope == R::ZERO;
-    let [x, y, z] = curve.vector;
-    let single = match (zero(&x), zero(&y), zero(&z)) {
+    let [x, y, z] = &curve.vector;
+    let single = match (zero(x), zero(y), zero(z)) {
         (_, true, true) => Some(x),
         (true, _, true) => Some(y),
         (true, true, _) => Some(z),
@@ -250,10 +277,7 @@ fn roots<R: Real>(curve: &Curve<R>) -> [Option<R>; 2] {
     };
     if let Some(v) = single {
         let (at, slope) = (factor * v.at, factor * v.slope);
-        return [
-            linear_root(a + at, b + slope),
-            linear_root(a - at, b - slope),
-        ];
+        return [-(a + at) / (b + slope), -(a - at) / (b - slope)];
     }
     let square = |f: fn(&Line<R>) -> R, g: fn(&Line<R>) -> R| {
         let products = curve.vector.iter().map(|v| f(v) * g(v));
@@ -266,18 +290,13 @@ fn roots<R: Real>(curve: &Curve<R>) -> [Option<R>; 2] {
     )
 }
 
-/// The root of `at + slope * t`.
-fn linear_root<R: Real>(at: R, slope: R) -> Option<R> {
-    Some(-at / slope).filter(|t| t.is_finite())
-}
-
 /// The roots of `a t^2 + 2 b t + c`, without cancellation.
-fn quadratic_roots<R: Real>(a: R, b: R, c: R) -> [Option<R>; 2] {
+fn quadratic_roots<R: Real>(a: R, b: R, c: R) -> [R; 2] {
     let discriminant = b * b - a * c;
     if discriminant < R::ZERO {
-        return [None, None];
+        return [R::NAN; 2];
     }
     let root = discriminant.sqrt();
     let q = if b < R::ZERO { root - b } else { -(b + root) };
-    [q / a, c / q].map(|t| Some(t).filter(|t| t.is_finite()))
+    [q / a, c / q]
 }
