@@ -113,6 +113,7 @@ struct DomainParser<'d, 't> {
 }
 
 impl<'t> DomainParser<'_, 't> {
+    /// Each statement has a function that is never inlined: the stack holds one at a time.
     fn statements(&mut self) -> Result<(), Error> {
         while self.lexer.token() != crate::text::Token::End {
             if self.lexer.accept("type") {
@@ -136,6 +137,7 @@ impl<'t> DomainParser<'_, 't> {
         Ok(())
     }
 
+    #[inline(never)]
     fn type_statement(&mut self) -> Result<(), Error> {
         let at = self.lexer.clone();
         let name = self.lexer.expect_name("expected the name of the type")?;
@@ -187,6 +189,7 @@ impl<'t> DomainParser<'_, 't> {
         Ok(index)
     }
 
+    #[inline(never)]
     fn constant_statement(&mut self) -> Result<(), Error> {
         let name = self.new_name("expected the name of the constant", true)?;
         self.lexer.expect("=", "expected `=` and a value")?;
@@ -211,6 +214,7 @@ impl<'t> DomainParser<'_, 't> {
             .map_err(|_| Error::CapacityExceeded("constants of a domain"))
     }
 
+    #[inline(never)]
     fn parameter_statement(&mut self) -> Result<(), Error> {
         let name = self.new_name("expected the name of the parameter", false)?;
         self.lexer

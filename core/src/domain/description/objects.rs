@@ -13,6 +13,7 @@ const FULL: Error = Error::CapacityExceeded("objects of a domain");
 type Named<'t> = (&'t str, Option<u8>);
 
 impl<'t> DomainParser<'_, 't> {
+    #[inline(never)]
     pub(super) fn object_statement(&mut self) -> Result<(), Error> {
         let mut all: Vec<Named<'t>, MAX_OBJECTS> = Vec::new();
         loop {

@@ -18,6 +18,7 @@ struct Extent {
 }
 
 impl<'t> DomainParser<'_, 't> {
+    #[inline(never)]
     pub(super) fn shape_statement(&mut self) -> Result<(), Error> {
         let at = self.lexer.clone();
         let name = self.lexer.expect_name("expected the name of an object")?;
@@ -118,6 +119,7 @@ impl<'t> DomainParser<'_, 't> {
         )
     }
 
+    #[inline(never)]
     pub(super) fn point_statement(&mut self) -> Result<(), Error> {
         let name = self.new_name("expected the name of the point", true)?;
         let (owner, part) = split_at_dot(name).unwrap_or((name, ""));
@@ -229,6 +231,7 @@ impl<'t> DomainParser<'_, 't> {
 
     /// Declares a point, or one of each member of a group if the base is one of its
     /// first member.
+    #[inline(never)]
     pub(super) fn point(
         &mut self,
         owner: &'t str,
