@@ -99,6 +99,7 @@ impl<T> Part<T> {
     /// # Safety
     /// As for [`Part::place`]; and nothing else refers to the part while what is
     /// returned is used.
+    #[inline(never)]
     pub(crate) unsafe fn fill(&self, memory: *mut u8, value: T) -> &'static mut [T]
     where
         T: Clone,
@@ -107,15 +108,15 @@ impl<T> Part<T> {
         unsafe { self.fill_with(memory, || value.clone()) }
     }
 
-    /// Makes the only value of the part where it lies, and lends it.
+    /// Puts the only value of the part there, and lends it.
     ///
     /// # Safety
     /// As for [`Part::fill`].
-    pub(crate) unsafe fn put(&self, memory: *mut u8, value: impl FnOnce() -> T) -> &'static mut T {
+    pub(crate) unsafe fn put(&self, memory: *mut u8, value: T) -> &'static mut T {
         // SAFETY: by this function's contract; the place is aligned for the value.
         unsafe {
             let place = self.place(memory);
-            place.write(value());
+            place.write(value);
             &mut *place
         }
     }

@@ -11,6 +11,7 @@ use crate::real::Real;
 const DRAWS: usize = 8;
 
 impl<'m, R: Real> VersionSpace<'m, R> {
+    #[inline(never)]
     pub(super) fn next_query(&mut self, problem: &Problem<'_>) -> Result<Pending, Error> {
         if self.is_finished() {
             return Err(Error::OutOfSequence(
@@ -54,6 +55,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     }
 
     /// What tells explanations apart, or looks for what nobody suspects.
+    #[inline(never)]
     fn question(&mut self, problem: &Problem<'_>) -> Result<Option<Query>, Error> {
         let mut rng = self.rng.clone();
         if self.unasked.is_some() {
@@ -101,6 +103,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
 
     /// A draw from the region in some instance, one that was not asked about if
     /// there is nothing else to ask about.
+    #[inline(never)]
     fn draw(&mut self, problem: &Problem<'_>) -> Result<Option<Query>, Error> {
         for _ in 0..DRAWS {
             let mut instance = below(&mut self.rng, problem.count());

@@ -28,6 +28,7 @@ const SECOND_FORM: f64 = 0.1;
 const LEVEL: u8 = 1;
 
 /// The constraint of two bounds that excludes most of `left` for its length.
+#[inline(never)]
 pub(super) fn best_clause<R: Real>(
     forms: &Forms<'_, R>,
     left: &Set,

@@ -6,7 +6,7 @@
 //! they disagree.
 
 use super::VersionSpace;
-use super::forms::Lefts;
+use super::forms::{Lefts, MAX_LEFTS};
 use super::set::{is_empty, members, remove};
 use crate::error::Error;
 use crate::learn::{Problem, Query};
@@ -35,7 +35,8 @@ impl<R: Real> VersionSpace<'_, R> {
             return Err(Error::OutOfSequence("ask for a sample first"));
         }
         problem.check_begun(self.problem)?;
-        let lefts = self.forms.evaluate_query(problem, query)?;
+        let mut lefts = [R::ZERO; MAX_LEFTS];
+        self.forms.evaluate_query(problem, query, &mut lefts)?;
         let mut all = Membership::Feasible;
         for step in 0..self.capacity.steps {
             match self.membership_of_step(query.instance, &lefts, step) {

@@ -86,16 +86,13 @@ use super::problem::Problem;
 use super::{Answer, Learner, Query};
 use crate::domain::{CHECKSUM, Domain};
 use crate::error::Error;
-use crate::grammar::Features;
 use crate::random::{Generator, generator};
 use crate::real::Real;
 use crate::region::Region;
 use crate::table::Table;
 use cover::MEMBERS;
-use forms::{Forms, Storage};
+use forms::{Forms, MAX_LEFTS, Storage};
 
-/// The most complex features that forms are made of.
-const COMPLEXITY: usize = 2;
 /// By how much more likely an answer must be than its opposite.
 const BEYOND_DOUBT: f64 = 10_000.0;
 /// Explanations that compete to be the final one.
@@ -159,6 +156,18 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         capacity: Capacity,
         memory: Memory<'m, R>,
     ) -> Result<Self, Error> {
+        let mut learner = VersionSpace::blank(config, capacity, memory)?;
+        learner.settle(domain)?;
+        Ok(learner)
+    }
+
+    /// As [`VersionSpace::new`], without a domain: to be completed by
+    /// [`VersionSpace::settle`] where it will stay. On a small machine, less is on the
+    /// stack at a time.
+    ///
+    /// # Errors
+    /// Those of [`VersionSpace::new`].
+    pub fn blank(config: Config, capacity: Capacity, memory: Memory<'m, R>) -> Result<Self, Error> {
         config.check()?;
         capacity.check()?;
         let Memory {
@@ -175,12 +184,10 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             support,
             region,
         } = memory;
-        let features = cut(features, capacity.features())?;
-        region.clear(domain);
         let covers = cut(covers, capacity.covers())?;
-        covers.fill(Cover::default());
+        covers.iter_mut().for_each(Cover::clear);
         let forms = Forms::new(Storage {
-            features: Features::enumerate_up_to(domain, COMPLEXITY, features, &mut [])?,
+            features: cut(features, capacity.features())?,
             columns: cut(columns, capacity.features())?,
             instances: cut(instances, capacity.instance_values())?,
             spans: cut(spans, capacity.spans())?,
@@ -214,6 +221,15 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             support: Table::new(cut(support, capacity.support())?, "constraints of a region"),
             report: Report::default(),
         })
+    }
+
+    /// Makes a learner from [`VersionSpace::blank`] one about the parameters of `domain`.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if there is no room for any feature.
+    pub fn settle(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
+        self.region.clear(domain);
+        self.forms.enumerate(domain)
     }
 
     /// The configuration it was made with.
@@ -250,22 +266,23 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             && self.is_significant()
     }
 
+    /// Gets to know the instances, at the first question.
+    #[inline(never)]
+    fn begin(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
+        self.forms.settle(problem)?;
+        self.report.forms = self.forms.len();
+        self.report.forms_left_out = self.forms.left_out();
+        self.problem = Some(problem.fingerprint());
+        let count = u32::try_from(problem.count()).unwrap_or(u32::MAX);
+        self.unasked = problem.domain().parameters().is_empty().then_some(count);
+        Ok(())
+    }
+
     /// Takes a sample whose answer is beyond doubt.
     fn learn(&mut self, problem: &Problem<'_>, pending: &Pending) -> Result<(), Error> {
-        let query = &pending.query;
-        let lefts = self.forms.evaluate_query(problem, query)?;
         let feasible = pending.lead > 0;
-        let failed = if feasible {
-            self.report.feasible += 1;
-            self.capacity.steps
-        } else {
-            self.report.infeasible += 1;
-            pending.failed_step.saturating_sub(1) as usize
-        };
-        let worked = failed;
-        let failed = (!feasible).then_some(failed);
-        self.forms.add(query.instance, &lefts, worked, failed)?;
-        self.note_influence(query, feasible);
+        self.take_in(problem, pending)?;
+        self.note_influence(&pending.query, feasible);
         let moved = self.mend_best();
         let Certificate {
             mut draws,
@@ -288,6 +305,24 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             (false, _) => self.rebuild_region(problem.domain())?,
         }
         Ok(())
+    }
+
+    /// Tells the forms of a sample. Never inlined: the values of the left sides leave the
+    /// stack before anything else is done.
+    #[inline(never)]
+    fn take_in(&mut self, problem: &Problem<'_>, pending: &Pending) -> Result<(), Error> {
+        let query = &pending.query;
+        let mut lefts = [R::ZERO; MAX_LEFTS];
+        self.forms.evaluate_query(problem, query, &mut lefts)?;
+        if pending.lead > 0 {
+            self.report.feasible += 1;
+            return self
+                .forms
+                .add(query.instance, &lefts, self.capacity.steps, None);
+        }
+        self.report.infeasible += 1;
+        let failed = pending.failed_step.saturating_sub(1) as usize;
+        self.forms.add(query.instance, &lefts, failed, Some(failed))
     }
 
     fn note_influence(&mut self, query: &Query, feasible: bool) {
@@ -334,12 +369,7 @@ fn needed_lead(noise: f64) -> i32 {
 impl<R: Real> Learner for VersionSpace<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
         if self.problem.is_none() {
-            self.forms.settle(problem)?;
-            self.report.forms = self.forms.len();
-            self.report.forms_left_out = self.forms.left_out();
-            self.problem = Some(problem.fingerprint());
-            let count = u32::try_from(problem.count()).unwrap_or(u32::MAX);
-            self.unasked = problem.domain().parameters().is_empty().then_some(count);
+            self.begin(problem)?;
         }
         problem.check_begun(self.problem)?;
         let pending = match self.pending {

@@ -12,7 +12,7 @@
 
 use super::bound::Bound;
 use super::cover::{Chosen, Cover, MEMBERS};
-use super::forms::{Forms, Lefts};
+use super::forms::{Forms, Lefts, MAX_LEFTS};
 use crate::domain::{MAX_PARAMETERS, PointSet, Scene};
 use crate::error::Error;
 use crate::learn::{Observation, Problem, Query};
@@ -95,7 +95,7 @@ impl<R: Real> Choice<'_, '_, R> {
             && share > NARROW
         {
             let middle = bound.inner + (bound.outer - bound.inner) * R::from_f64(0.5);
-            let query = self.at_value(problem, (chosen, bound), middle, |_| false, rng)?;
+            let query = self.at_value(problem, (chosen, bound), middle, &|_| false, rng)?;
             if query.is_some() {
                 return Ok(query);
             }
@@ -112,6 +112,7 @@ impl<R: Real> Choice<'_, '_, R> {
     ) -> Result<Option<Query>, Error> {
         let points = PointSet::all(problem.domain());
         let mut split: Option<(usize, Query)> = None;
+        let mut lefts = [R::ZERO; MAX_LEFTS];
         for _ in 0..GROUPS {
             let instance = below(rng, problem.count());
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
@@ -122,7 +123,7 @@ impl<R: Real> Choice<'_, '_, R> {
                 } else {
                     self.between_samples(problem, instance, rng)
                 };
-                let lefts = self.forms.evaluate(&scene, &theta);
+                self.forms.evaluate(&scene, &theta, &mut lefts);
                 let query = Query { instance, theta };
                 let (votes, against) = self.votes(instance, &lefts);
                 let evenness = votes * against;
@@ -164,9 +165,10 @@ impl<R: Real> Choice<'_, '_, R> {
     ) -> Result<Option<Query>, Error> {
         let theta = [0.0; MAX_PARAMETERS];
         let mut best: Option<((usize, usize), Query)> = None;
+        let mut lefts = [R::ZERO; MAX_LEFTS];
         for instance in self.all_unasked(problem, rng) {
             let query = Query { instance, theta };
-            let lefts = self.forms.evaluate_query(problem, &query)?;
+            self.forms.evaluate_query(problem, &query, &mut lefts)?;
             let (votes, against) = self.votes(instance, &lefts);
             let open = self.best_bounds().filter(|(_, bound)| {
                 let value = self.forms.value(&bound.side, instance, &lefts);
@@ -239,7 +241,7 @@ impl<R: Real> Choice<'_, '_, R> {
             };
             (0..self.forms.samples()).any(|sample| near(&sample))
         };
-        self.at_value(problem, (chosen, bound), value, tested, rng)
+        self.at_value(problem, (chosen, bound), value, &tested, rng)
     }
 
     /// What nobody suspects is found far from all samples. Every other time only
@@ -252,11 +254,11 @@ impl<R: Real> Choice<'_, '_, R> {
         rng: &mut Generator,
     ) -> Result<Option<Query>, Error> {
         if rng.next_u32() & 1 == 0 {
-            return self.farthest_refused_by(problem, |_| true, rng);
+            return self.farthest_refused_by(problem, &|_| true, rng);
         }
         let several = self.best_chosen().nth(1).is_some();
         let wanted = usize::from(several && rng.next_u32() & 1 == 0);
-        self.farthest_refused_by(problem, |refused| refused == wanted, rng)
+        self.farthest_refused_by(problem, &|refused| refused == wanted, rng)
     }
 
     /// Of some candidates that are refused by so many constraints of the best
@@ -265,18 +267,19 @@ impl<R: Real> Choice<'_, '_, R> {
     fn farthest_refused_by(
         &self,
         problem: &Problem<'_>,
-        counts: impl Fn(usize) -> bool,
+        counts: &dyn Fn(usize) -> bool,
         rng: &mut Generator,
     ) -> Result<Option<Query>, Error> {
         let points = PointSet::all(problem.domain());
         let mut best: Option<(f64, Query)> = None;
+        let mut lefts = [R::ZERO; MAX_LEFTS];
         for _ in 0..GROUPS {
             let instance = below(rng, problem.count());
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
             scene.settle()?;
             for _ in 0..EACH {
                 let theta = any_theta(problem, instance, rng);
-                let lefts = self.forms.evaluate(&scene, &theta);
+                self.forms.evaluate(&scene, &theta, &mut lefts);
                 let refusing = self.best_chosen();
                 let refusing = refusing.filter(|c| !self.admits(c, instance, &lefts));
                 if !counts(refusing.count()) {
@@ -326,10 +329,11 @@ impl<R: Real> Choice<'_, '_, R> {
         problem: &Problem<'_>,
         (chosen, bound): (&Chosen<R>, &Bound<R>),
         value: R,
-        skip: impl Fn(usize) -> bool,
+        skip: &dyn Fn(usize) -> bool,
         rng: &mut Generator,
     ) -> Result<Option<Query>, Error> {
         let points = PointSet::all(problem.domain());
+        let mut lefts = [R::ZERO; MAX_LEFTS];
         for _ in 0..TRIES {
             let instance = below(rng, problem.count());
             if skip(instance) {
@@ -337,8 +341,8 @@ impl<R: Real> Choice<'_, '_, R> {
             }
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
             scene.settle()?;
-            let beyond = |theta: &Theta| {
-                let lefts = self.forms.evaluate(&scene, theta);
+            let mut beyond = |theta: &Theta| {
+                self.forms.evaluate(&scene, theta, &mut lefts);
                 self.forms.value(&bound.side, instance, &lefts) > value
             };
             let (mut inside, mut outside) = (
@@ -358,7 +362,7 @@ impl<R: Real> Choice<'_, '_, R> {
                     inside = middle;
                 }
             }
-            let lefts = self.forms.evaluate(&scene, &inside);
+            self.forms.evaluate(&scene, &inside, &mut lefts);
             let value = |other: &Bound<R>| self.forms.value(&other.side, instance, &lefts);
             let mut rivals = chosen.bounds().filter(|other| *other != bound);
             let mut others = self.best_chosen().filter(|other| *other != chosen);
