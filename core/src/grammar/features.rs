@@ -331,6 +331,7 @@ impl<'m, R: Real> Features<'m, R> {
     }
 }
 
+#[inline(never)]
 fn evaluate<R: Real>(nodes: &[Node], scene: &Scene<'_, R>, theta: &[R], values: &mut [R]) {
     let sample: Sample<'_, '_, R, R> = scene.sample(theta);
     for (index, node) in nodes.iter().enumerate() {

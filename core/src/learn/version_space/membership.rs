@@ -6,7 +6,7 @@
 //! they disagree.
 
 use super::VersionSpace;
-use super::forms::{Lefts, MAX_LEFTS};
+use super::forms::MAX_LEFTS;
 use super::set::{is_empty, members, remove};
 use crate::error::Error;
 use crate::learn::{Problem, Query};
@@ -48,7 +48,7 @@ impl<R: Real> VersionSpace<'_, R> {
         Ok(all)
     }
 
-    fn membership_of_step(&self, instance: usize, lefts: &Lefts<R>, step: usize) -> Membership {
+    fn membership_of_step(&self, instance: usize, lefts: &[R], step: usize) -> Membership {
         let forms = &self.forms;
         let infeasible = forms.infeasible(step);
         // What is excluded by some form, now and after taking the sample in.

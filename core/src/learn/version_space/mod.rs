@@ -91,7 +91,7 @@ use crate::real::Real;
 use crate::region::Region;
 use crate::table::Table;
 use cover::MEMBERS;
-use forms::{Forms, MAX_LEFTS, Storage};
+use forms::{Forms, Storage};
 
 /// By how much more likely an answer must be than its opposite.
 const BEYOND_DOUBT: f64 = 10_000.0;
@@ -116,6 +116,8 @@ pub struct VersionSpace<'m, R> {
     config: Config,
     capacity: Capacity,
     forms: Forms<'m, R>,
+    /// Room for the left sides at a sample.
+    lefts: &'m mut [R],
     /// Explanations, the best of each step first.
     covers: &'m mut [Cover<R>],
     observations: Table<'m, Observation>,
@@ -177,6 +179,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             spans,
             bits,
             rows,
+            lefts,
             sets,
             covers,
             samples,
@@ -207,6 +210,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             config,
             capacity,
             forms,
+            lefts: cut(lefts, capacity.lefts())?,
             covers,
             pending: None,
             problem: None,
@@ -307,22 +311,20 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         Ok(())
     }
 
-    /// Tells the forms of a sample. Never inlined: the values of the left sides leave the
-    /// stack before anything else is done.
+    /// Tells the forms of a sample.
     #[inline(never)]
     fn take_in(&mut self, problem: &Problem<'_>, pending: &Pending) -> Result<(), Error> {
-        let query = &pending.query;
-        let mut lefts = [R::ZERO; MAX_LEFTS];
-        self.forms.evaluate_query(problem, query, &mut lefts)?;
+        let Query { instance, .. } = pending.query;
+        self.forms
+            .evaluate_query(problem, &pending.query, self.lefts)?;
         if pending.lead > 0 {
             self.report.feasible += 1;
-            return self
-                .forms
-                .add(query.instance, &lefts, self.capacity.steps, None);
+            let steps = self.capacity.steps;
+            return self.forms.add(instance, self.lefts, steps, None);
         }
         self.report.infeasible += 1;
         let failed = pending.failed_step.saturating_sub(1) as usize;
-        self.forms.add(query.instance, &lefts, failed, Some(failed))
+        self.forms.add(instance, self.lefts, failed, Some(failed))
     }
 
     fn note_influence(&mut self, query: &Query, feasible: bool) {
@@ -372,12 +374,11 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
             self.begin(problem)?;
         }
         problem.check_begun(self.problem)?;
-        let pending = match self.pending {
-            Some(pending) => pending,
-            None => self.next_query(problem)?,
-        };
-        self.pending = Some(pending);
-        Ok(pending.query)
+        if self.pending.is_none() {
+            self.next_query(problem)?;
+        }
+        let pending = self.pending.as_ref().map(|pending| pending.query);
+        pending.ok_or(Error::OutOfSequence("there is nothing to ask"))
     }
 
     fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error> {

@@ -52,9 +52,6 @@ const NOTHING: u16 = u16::MAX;
 /// A set of samples, a bit each.
 pub(in crate::learn::version_space) type Set = [u64; MAX_WORDS];
 
-/// The left sides at a sample; those behind the last mean nothing.
-pub(in crate::learn::version_space) type Lefts<R> = [R; MAX_LEFTS];
-
 /// How much two equal values may differ by rounding.
 #[inline(always)]
 pub(in crate::learn::version_space) fn tolerance<R: Real>(value: R) -> R {
@@ -294,11 +291,12 @@ impl<'m, R: Real> Forms<'m, R> {
     }
 
     /// Evaluates the left sides at a sample.
+    #[inline(never)]
     pub(in crate::learn::version_space) fn evaluate(
         &self,
         scene: &Scene<'_, R>,
         theta: &Theta,
-        lefts: &mut Lefts<R>,
+        lefts: &mut [R],
     ) {
         let theta = theta.map(R::from_f64);
         let sample: Point<'_, '_, R, R> = scene.sample(&theta);
@@ -306,6 +304,23 @@ impl<'m, R: Real> Forms<'m, R> {
         for (value, node) in lefts.iter_mut().zip(nodes).take(self.left_count) {
             *value = sample.node(*node, |_| R::ZERO);
         }
+    }
+
+    /// The value of one form at a sample from one direction, as [`Forms::value`].
+    #[inline(never)]
+    pub(in crate::learn::version_space) fn value_in(
+        &self,
+        scene: &Scene<'_, R>,
+        theta: &Theta,
+        side: &Side,
+        instance: usize,
+    ) -> R {
+        let theta = theta.map(R::from_f64);
+        let sample: Point<'_, '_, R, R> = scene.sample(&theta);
+        let node = self.features.nodes().iter().skip(FACTORS.len());
+        let node = node.copied().nth(usize::from(side.left));
+        let left = node.map_or(R::NAN, |node| sample.node(node, |_| R::ZERO));
+        self.with_left(side, instance, left)
     }
 
     /// Evaluates the left sides at a sample of a problem. A scene is large: it has left
@@ -318,7 +333,7 @@ impl<'m, R: Real> Forms<'m, R> {
         &self,
         problem: &Problem<'_>,
         query: &Query,
-        lefts: &mut Lefts<R>,
+        lefts: &mut [R],
     ) -> Result<(), Error> {
         let instance = problem.instance(query.instance)?;
         let points = PointSet::all(problem.domain());
@@ -343,6 +358,10 @@ impl<'m, R: Real> Forms<'m, R> {
         lefts: &[R],
     ) -> R {
         let left = lefts.get(usize::from(side.left)).copied().unwrap_or(R::NAN);
+        self.with_left(side, instance, left)
+    }
+
+    fn with_left(&self, side: &Side, instance: usize, left: R) -> R {
         let right = self
             .instance(instance)
             .get(usize::from(side.column))
