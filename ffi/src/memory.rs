@@ -13,7 +13,7 @@ pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
 
 /// Bytes of a learner that do not depend on its capacity, on a machine with
 /// pointers of 32 bits; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_LEARNER_FIXED_BYTES: usize = 22_016;
+pub const CRITREG_LEARNER_FIXED_BYTES: usize = 18_432;
 
 /// Bytes of a region, on a machine with pointers of 32 bits; for
 /// CRITREG_REGION_WORDS.

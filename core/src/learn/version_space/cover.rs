@@ -10,7 +10,7 @@ use super::bound::Bound;
 use super::clause::{best_clause, between, corner, for_each_neighbour};
 use super::forms::{Forms, MAX_WORDS, Set, Side, tolerance};
 use super::greedy::{Taste, best_side};
-use super::set::{count, insert, is_empty, members, remove};
+use super::set::{count, insert, is_empty, members, remove, unite};
 use crate::random::Generator;
 use crate::real::Real;
 use crate::table::{move_last, take_out};
@@ -117,19 +117,21 @@ impl<R: Real> Chosen<R> {
         [self.bound.inner, or.inner] = corner.unwrap_or([R::INFINITY; 2]);
     }
 
-    /// Puts its bounds between the feasible samples and those that it must exclude.
-    fn fit(&self, forms: &Forms<'_, R>, step: usize, own: &Set, slack: f64) -> Option<Self> {
-        let mut fitted = *self;
+    /// Puts its bounds between the feasible samples and those that it must exclude. If it
+    /// cannot, it stays as it is and says so.
+    #[inline(never)]
+    fn fit(&mut self, forms: &Forms<'_, R>, step: usize, own: &Set, slack: f64) -> bool {
         if self.or.is_some() {
-            for bound in fitted.bounds_mut() {
+            for bound in self.bounds_mut() {
                 bound.outer = first_of(forms, &bound.side, own);
             }
-            return Some(fitted);
+            return true;
         }
         let feasible = forms.feasible(step);
         let Bound { side, range, .. } = self.bound;
-        fitted.bound = Bound::between(forms, side, &feasible, own, range, slack)?;
-        Some(fitted)
+        let fitted = Bound::between(forms, side, &feasible, own, range, slack);
+        self.bound = fitted.unwrap_or(self.bound);
+        fitted.is_some()
     }
 }
 
@@ -312,18 +314,23 @@ impl<R: Real> Cover<R> {
             chosen.widen(forms, step);
         }
         let overlap = self.overlap(forms, step);
-        let mut open = members(&overlap.open);
-        self.complete = open.all(|sample| self.nearest(forms, sample).is_some());
-        let mut fitted: Vec<Chosen<R>, MAX_COVER> = Vec::new();
-        for (index, chosen) in self.chosen.iter().enumerate() {
-            let alone = self.alone(forms, step, (index, chosen), &overlap);
-            let fit = chosen.fit(forms, step, &alone, slack);
-            self.complete &= fit.is_some();
-            let mut new = fit.unwrap_or(*chosen);
-            new.support = count(&chosen.excluded(forms, step)) as u32;
-            let _ = fitted.push(new);
+        self.complete = true;
+        // What none excludes belongs to the nearest, found before any bound is moved.
+        let mut nearest: [Set; MAX_COVER] = [[0; MAX_WORDS]; MAX_COVER];
+        for sample in members(&overlap.open) {
+            let index = self.nearest(forms, sample);
+            match index.and_then(|index| nearest.get_mut(index)) {
+                Some(own) => insert(own, sample),
+                None => self.complete = false,
+            }
         }
-        self.chosen = fitted;
+        for (chosen, own) in self.chosen.iter_mut().zip(&mut nearest) {
+            let mut alone = chosen.excluded(forms, step);
+            chosen.support = count(&alone) as u32;
+            remove(&mut alone, &overlap.twice);
+            unite(own, &alone);
+            self.complete &= chosen.fit(forms, step, own, slack);
+        }
         for sample in members(&overlap.twice) {
             self.own(forms, sample);
         }
@@ -417,8 +424,7 @@ impl<R: Real> Cover<R> {
                 return;
             }
             new.bound.range = range(forms, &side, step);
-            if let Some(fitted) = new.fit(forms, step, &alone, slack) {
-                new = fitted;
+            if new.fit(forms, step, &alone, slack) {
                 let mut bits = new.bits(forms, others);
                 if bits - forms.bits_of_threshold() < least {
                     bits += details(&new);
