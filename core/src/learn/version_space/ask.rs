@@ -45,6 +45,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
 
     /// What tells explanations apart, or looks for what nobody suspects; the query stays
     /// if there is nothing.
+    #[inline(never)]
     fn question(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<(), Error> {
         if self.is_doubtful() {
             self.elect(problem.domain())?;

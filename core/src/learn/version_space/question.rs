@@ -375,14 +375,10 @@ impl<R: Real> Choice<'_, '_, R> {
             }
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
             scene.settle()?;
-            let value_of = |other: &Bound<R>, theta: &Theta| {
-                self.forms.value_in(&scene, theta, &other.side, instance)
-            };
-            let beyond = |theta: &Theta| value_of(bound, theta) > value;
-            let (mut inside, mut outside) = (
-                any_theta(problem, instance, rng),
-                any_theta(problem, instance, rng),
-            );
+            let beyond =
+                |theta: &Theta| self.forms.value_in(&scene, theta, &bound.side, instance) > value;
+            let mut inside = any_theta(problem, instance, rng);
+            let mut outside = any_theta(problem, instance, rng);
             match (beyond(&inside), beyond(&outside)) {
                 (true, false) => core::mem::swap(&mut inside, &mut outside),
                 (false, true) => {}
@@ -390,23 +386,34 @@ impl<R: Real> Choice<'_, '_, R> {
             }
             for _ in 0..HALVINGS {
                 let middle = between(&inside, &outside, 0.5);
-                if beyond(&middle) {
-                    outside = middle;
+                let end = if beyond(&middle) {
+                    &mut outside
                 } else {
-                    inside = middle;
-                }
+                    &mut inside
+                };
+                *end = middle;
             }
-            let at = |other: &Bound<R>| value_of(other, &inside);
-            let mut rivals = chosen.bounds().filter(|other| *other != bound);
-            let mut others = self.best_chosen().filter(|other| *other != chosen);
-            if rivals.all(|other| at(other) >= other.outer) && others.all(|other| admits(other, at))
-            {
-                let theta = inside;
+            let theta = inside;
+            let value =
+                |other: &Bound<R>| self.forms.value_in(&scene, &theta, &other.side, instance);
+            if self.decides((chosen, bound), &value) {
                 *query = Query { instance, theta };
                 return Ok(true);
             }
         }
         Ok(false)
+    }
+
+    /// Whether a bound alone decides about a sample, at which forms have these values.
+    #[inline(never)]
+    fn decides(
+        &self,
+        (chosen, bound): (&Chosen<R>, &Bound<R>),
+        value: &dyn Fn(&Bound<R>) -> R,
+    ) -> bool {
+        let mut rivals = chosen.bounds().filter(|other| *other != bound);
+        let mut others = self.best_chosen().filter(|other| *other != chosen);
+        rivals.all(|other| value(other) >= other.outer) && others.all(|other| admits(other, value))
     }
 
     /// On the way between a feasible and an infeasible sample of the instance.
