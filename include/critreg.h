@@ -39,15 +39,15 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            140080 bytes           35424 bytes
- *           4096           256            556112 bytes           47200 bytes
- *          10000           256           1168948 bytes           56036 bytes
- *          20000           256           2151448 bytes           71040 bytes
+ *           1024           128            136808 bytes           34720 bytes
+ *           4096           256            553032 bytes           46496 bytes
+ *          10000           256           1165996 bytes           55332 bytes
+ *          20000           256           2148496 bytes           70336 bytes
  *
  * Every further instance takes hypotheses + 512 bytes more, every further step
  * 16 * hypotheses + 5632 at most. On a small machine critreg_config.precision and
  * critreg_config.tracked save most of it: 1024 hypotheses, 128 observations and 4
- * instances take 48968 bytes with CRITREG_F32, nothing tracked and pointers of 32
+ * instances take 48552 bytes with CRITREG_F32, nothing tracked and pointers of 32
  * bits, in a library without CRITREG_ALGORITHM1. The macros of
  * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
  *
@@ -437,7 +437,7 @@
  * Bytes of a learner that do not depend on its capacity, on a machine with
  * pointers of 32 bits; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_LEARNER_FIXED_BYTES 22016
+#define CRITREG_LEARNER_FIXED_BYTES 18432
 
 /**
  * Bytes of a region, on a machine with pointers of 32 bits; for

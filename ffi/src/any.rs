@@ -46,19 +46,11 @@ impl Capacity {
     }
 }
 
-/// A learner of some kind. It lies in the memory of a handle, which has room for
-/// the larger one.
-#[cfg_attr(
-    feature = "algorithm1",
-    expect(
-        clippy::large_enum_variant,
-        reason = "there is no heap to put the larger one on"
-    )
-)]
+/// A learner of some kind, a part of the caller's memory.
 pub(crate) enum Kind<R: 'static> {
     #[cfg(feature = "algorithm1")]
-    Algorithm1(Algorithm1<'static, R>),
-    VersionSpace(VersionSpace<'static, R>),
+    Algorithm1(&'static mut Algorithm1<'static, R>),
+    VersionSpace(&'static mut VersionSpace<'static, R>),
 }
 
 impl<R: Real> Kind<R> {
@@ -66,16 +58,16 @@ impl<R: Real> Kind<R> {
     fn any(&self) -> &dyn Learner {
         match self {
             #[cfg(feature = "algorithm1")]
-            Kind::Algorithm1(learner) => learner,
-            Kind::VersionSpace(learner) => learner,
+            Kind::Algorithm1(learner) => &**learner,
+            Kind::VersionSpace(learner) => &**learner,
         }
     }
 
     fn any_mut(&mut self) -> &mut dyn Learner {
         match self {
             #[cfg(feature = "algorithm1")]
-            Kind::Algorithm1(learner) => learner,
-            Kind::VersionSpace(learner) => learner,
+            Kind::Algorithm1(learner) => &mut **learner,
+            Kind::VersionSpace(learner) => &mut **learner,
         }
     }
 

@@ -35,15 +35,16 @@ enum Tables {
 }
 
 /// The tables of each kind of learner.
-enum KindTables<R> {
+enum KindTables<R: 'static> {
     #[cfg(feature = "algorithm1")]
     Algorithm1(Algorithm1Tables<R>),
     VersionSpace(VersionSpaceTables<R>),
 }
 
 #[cfg(feature = "algorithm1")]
-struct Algorithm1Tables<R> {
+struct Algorithm1Tables<R: 'static> {
     capacity: learn::Capacity,
+    learner: Part<Algorithm1<'static, R>>,
     features: Part<Node>,
     values: Part<R>,
     bounds: Part<Bounds<R>>,
@@ -51,14 +52,16 @@ struct Algorithm1Tables<R> {
     pairs: Part<u8>,
 }
 
-struct VersionSpaceTables<R> {
+struct VersionSpaceTables<R: 'static> {
     capacity: version_space::Capacity,
+    learner: Part<VersionSpace<'static, R>>,
     features: Part<Node>,
     columns: Part<u16>,
     instances: Part<R>,
     spans: Part<Span<R>>,
     bits: Part<u64>,
     rows: Part<R>,
+    lefts: Part<R>,
     sets: Part<u64>,
     covers: Part<Cover<R>>,
     samples: Part<Sample>,
@@ -67,7 +70,7 @@ struct VersionSpaceTables<R> {
     region: Part<Region>,
 }
 
-impl<R> KindTables<R> {
+impl<R: 'static> KindTables<R> {
     const fn new(packer: &mut Packer, capacity: Capacity) -> Option<Self> {
         match capacity {
             #[cfg(feature = "algorithm1")]
@@ -98,7 +101,7 @@ impl<R: Real> KindTables<R> {
             #[cfg(feature = "algorithm1")]
             KindTables::Algorithm1(tables) => {
                 // SAFETY: by this function's contract; the parts do not overlap.
-                let (settings, memory) = unsafe {
+                let (settings, lent) = unsafe {
                     let lent = learn::Memory {
                         features: tables.features.fill(memory, Node::Number(0.0)),
                         values: tables.values.fill(memory, R::ZERO),
@@ -108,40 +111,63 @@ impl<R: Real> KindTables<R> {
                     };
                     (config.algorithm1(domain)?, lent)
                 };
-                let learner = Algorithm1::new(domain, settings, tables.capacity, memory)?;
-                Ok(Kind::Algorithm1(learner))
+                let learner = Algorithm1::new(domain, settings, tables.capacity, lent)?;
+                // SAFETY: as above.
+                Ok(Kind::Algorithm1(unsafe {
+                    tables.learner.put(memory, learner)
+                }))
             }
             KindTables::VersionSpace(tables) => {
-                let settings = config.version_space()?;
-                // SAFETY: by this function's contract; the parts do not overlap.
-                let memory = unsafe {
-                    version_space::Memory {
-                        features: tables.features.fill(memory, Node::Number(0.0)),
-                        columns: tables.columns.fill(memory, 0),
-                        instances: tables.instances.fill(memory, R::ZERO),
-                        spans: tables.spans.fill(memory, Default::default()),
-                        bits: tables.bits.fill(memory, 0),
-                        rows: tables.rows.fill(memory, R::ZERO),
-                        sets: tables.sets.fill(memory, 0),
-                        covers: tables.covers.fill(memory, Default::default()),
-                        samples: tables.samples.fill(memory, Default::default()),
-                        observations: tables.observations.fill(memory, Default::default()),
-                        support: tables.support.fill(memory, Default::default()),
-                        region: tables.region.put(memory, Region::default),
-                    }
-                };
-                let learner = VersionSpace::new(domain, settings, tables.capacity, memory)?;
+                // SAFETY: by this function's contract.
+                let learner = unsafe { tables.put_blank(memory, config.version_space()?)? };
+                learner.settle(domain)?;
                 Ok(Kind::VersionSpace(learner))
             }
         }
     }
 }
 
+impl<R: Real> VersionSpaceTables<R> {
+    /// Puts a learner there that knows no domain yet. Never inlined: what it is made of
+    /// leaves the stack before it gets to know one.
+    ///
+    /// # Safety
+    /// As for [`Part::fill`].
+    #[inline(never)]
+    unsafe fn put_blank(
+        &self,
+        memory: *mut u8,
+        settings: version_space::Config,
+    ) -> Fallible<&'static mut VersionSpace<'static, R>> {
+        // SAFETY: by this function's contract; the parts do not overlap.
+        unsafe {
+            let lent = version_space::Memory {
+                features: self.features.fill(memory, Node::Number(0.0)),
+                columns: self.columns.fill(memory, 0),
+                instances: self.instances.fill(memory, R::ZERO),
+                spans: self.spans.fill(memory, Default::default()),
+                bits: self.bits.fill(memory, 0),
+                rows: self.rows.fill(memory, R::ZERO),
+                lefts: self.lefts.fill(memory, R::ZERO),
+                sets: self.sets.fill(memory, 0),
+                covers: self.covers.fill_with(memory, Default::default),
+                samples: self.samples.fill(memory, Default::default()),
+                observations: self.observations.fill(memory, Default::default()),
+                support: self.support.fill(memory, Default::default()),
+                region: self.region.put(memory, Region::default()),
+            };
+            let blank = VersionSpace::blank(settings, self.capacity, lent)?;
+            Ok(self.learner.put(memory, blank))
+        }
+    }
+}
+
 #[cfg(feature = "algorithm1")]
-impl<R> Algorithm1Tables<R> {
+impl<R: 'static> Algorithm1Tables<R> {
     const fn new(packer: &mut Packer, capacity: learn::Capacity) -> Option<Self> {
         Some(Algorithm1Tables {
             capacity,
+            learner: append!(packer, 1),
             features: append!(packer, capacity.features()),
             values: append!(packer, capacity.features()),
             bounds: append!(packer, capacity.lefts()),
@@ -156,7 +182,7 @@ const fn times(left: usize, right: usize) -> usize {
     left.saturating_mul(right)
 }
 
-impl<R> VersionSpaceTables<R> {
+impl<R: 'static> VersionSpaceTables<R> {
     const fn new(packer: &mut Packer, capacity: version_space::Capacity) -> Option<Self> {
         // The products of the capacity are computed once they cannot overflow.
         let words = times(capacity.forms, capacity.observations.div_ceil(64));
@@ -171,11 +197,13 @@ impl<R> VersionSpaceTables<R> {
         }
         Some(VersionSpaceTables {
             capacity,
+            learner: append!(packer, 1),
             features: append!(packer, capacity.features()),
             instances: append!(packer, capacity.instance_values()),
             spans: append!(packer, capacity.spans()),
             bits: append!(packer, capacity.bits()),
             rows: append!(packer, capacity.rows()),
+            lefts: append!(packer, capacity.lefts()),
             sets: append!(packer, capacity.sets()),
             region: append!(packer, 1),
             support: append!(packer, capacity.support()),

@@ -60,6 +60,7 @@ unsafe impl Handle for critreg_learner {
 
 impl critreg_learner {
     /// Takes over what the inner learner has to report.
+    #[inline(never)]
     pub(crate) fn publish(&self, inner: &Inner) {
         self.report.set(critreg_report::new(&inner.learner));
         self.finished.set(inner.learner.is_finished());
@@ -211,8 +212,27 @@ unsafe fn init(
         // If this fails, a learner that was here before is one no more.
         handle::retire(layout.handle.place(memory));
         let domain = layout.domain.put(memory, text)?;
+        output.write(put(&layout, memory, domain, &config)?);
+    }
+    Ok(())
+}
+
+/// Puts a learner about a domain there. Never inlined: it takes no stack while the domain
+/// is read.
+///
+/// # Safety
+/// As for [`LearnerLayout::make`].
+#[inline(never)]
+unsafe fn put(
+    layout: &LearnerLayout,
+    memory: *mut u8,
+    domain: &'static Domain<'static>,
+    config: &critreg_config,
+) -> Fallible<*mut critreg_learner> {
+    // SAFETY: by this function's contract.
+    unsafe {
         let mut inner = Inner {
-            learner: layout.make(memory, domain, &config)?,
+            learner: layout.make(memory, domain, config)?,
             region: layout.region.place(memory),
             progress: config.progress,
             progress_data: config.progress_data,
@@ -228,9 +248,8 @@ unsafe fn init(
             inner: RefCell::new(inner),
         };
         handle::put(place, made);
-        output.write(place);
+        Ok(place)
     }
-    Ok(())
 }
 
 /// How many numbers an instance has: one per attribute of every object of the

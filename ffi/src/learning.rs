@@ -113,11 +113,7 @@ pub unsafe extern "C" fn critreg_learn_region(
                 );
                 stop_unless_ok(status, "simulate")?;
                 inner.learner.tell(&problem, answer(outcome)?)?;
-                handle.publish(inner);
-                let report = handle.report.get();
-                if let Some(progress) = inner.progress {
-                    stop_unless_ok(progress(inner.progress_data, &report), "progress")?;
-                }
+                show_progress(handle, inner)?;
             }
             let learned = give_region(handle, inner)?;
             if !region.is_null() {
@@ -126,6 +122,22 @@ pub unsafe extern "C" fn critreg_learn_region(
             Ok(())
         })
     }
+}
+
+/// Publishes the report and shows it to the callback. Never inlined: what is shown takes
+/// no stack while a question is chosen.
+#[inline(never)]
+fn show_progress(handle: &critreg_learner, inner: &Inner) -> Fallible {
+    handle.publish(inner);
+    let Some(progress) = inner.progress else {
+        return Ok(());
+    };
+    let report = handle.report.get();
+    // SAFETY: the header says what the callback may do; the report outlives the call.
+    stop_unless_ok(
+        unsafe { progress(inner.progress_data, &report) },
+        "progress",
+    )
 }
 
 fn answer(outcome: critreg_outcome) -> Fallible<Answer> {
@@ -138,6 +150,7 @@ fn answer(outcome: critreg_outcome) -> Fallible<Answer> {
 
 /// Copies the learned region into its handle. The copy is what makes the handle
 /// refer to no memory that the learner writes to.
+#[inline(never)]
 fn give_region(handle: &critreg_learner, inner: &mut Inner) -> Fallible<*const critreg_region> {
     let region = inner.learner.region()?;
     // SAFETY: the region's part is reserved for the handle; the header forbids to

@@ -13,7 +13,7 @@ pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
 
 /// Bytes of a learner that do not depend on its capacity, on a machine with
 /// pointers of 32 bits; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_LEARNER_FIXED_BYTES: usize = 22_016;
+pub const CRITREG_LEARNER_FIXED_BYTES: usize = 18_432;
 
 /// Bytes of a region, on a machine with pointers of 32 bits; for
 /// CRITREG_REGION_WORDS.
@@ -99,6 +99,7 @@ impl<T> Part<T> {
     /// # Safety
     /// As for [`Part::place`]; and nothing else refers to the part while what is
     /// returned is used.
+    #[inline(never)]
     pub(crate) unsafe fn fill(&self, memory: *mut u8, value: T) -> &'static mut [T]
     where
         T: Clone,
@@ -107,15 +108,15 @@ impl<T> Part<T> {
         unsafe { self.fill_with(memory, || value.clone()) }
     }
 
-    /// Makes the only value of the part where it lies, and lends it.
+    /// Puts the only value of the part there, and lends it.
     ///
     /// # Safety
     /// As for [`Part::fill`].
-    pub(crate) unsafe fn put(&self, memory: *mut u8, value: impl FnOnce() -> T) -> &'static mut T {
+    pub(crate) unsafe fn put(&self, memory: *mut u8, value: T) -> &'static mut T {
         // SAFETY: by this function's contract; the place is aligned for the value.
         unsafe {
             let place = self.place(memory);
-            place.write(value());
+            place.write(value);
             &mut *place
         }
     }

@@ -99,9 +99,14 @@ impl<T: Copy> OutputArray<T> {
 
     /// Writes the first of these values, as many as there are places.
     pub(crate) fn write(self, values: &[T]) {
-        for (index, value) in values.iter().take(self.count).enumerate() {
+        self.write_each(values.iter().copied());
+    }
+
+    /// As [`OutputArray::write`].
+    pub(crate) fn write_each(self, values: impl Iterator<Item = T>) {
+        for (index, value) in values.take(self.count).enumerate() {
             // SAFETY: checked, and writable by the contract of `new`.
-            unsafe { self.first.add(index).write(*value) }
+            unsafe { self.first.add(index).write(value) }
         }
     }
 }

@@ -105,13 +105,14 @@ pub unsafe extern "C" fn critreg_stick_button_task(
 unsafe fn task(seed: u64, options: u32, buttons: u32, state: *mut f64, len: usize) -> Fallible {
     pointer::check(state, "state")?;
     let count = buttons as usize;
-    let task = environment(options)?.task(count..=count, &mut generator(seed))?;
-    let values = task.initial.values();
-    if len < values.len() {
+    let arranged = environment(options)?.arrange(count..=count, &mut generator(seed))?;
+    let needed = critreg_stick_button_state_len(buttons);
+    if len < needed {
         return Err(Failure::TooSmall("the array for the state"));
     }
     // SAFETY: by this function's contract.
-    unsafe { OutputArray::new(state, values.len(), "state")? }.write(values);
+    let state = unsafe { OutputArray::new(state, needed, "state")? };
+    state.write_each(arranged.world().values());
     Ok(())
 }
 

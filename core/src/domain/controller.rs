@@ -102,40 +102,54 @@ pub fn rollout<E: Environment>(
     parameters: &[f32],
     start: &State,
 ) -> Rollout {
-    let back_at_start = |ending| Rollout {
+    let mut run = Rollout {
         state: start.clone(),
         actions: 0,
-        ending,
+        ending: Ending::StepLimit,
     };
-    if !(controller.initiable)(environment, start, objects, parameters) {
-        return back_at_start(Ending::NotInitiable);
+    (run.actions, run.ending) =
+        rollout_from(environment, controller, objects, parameters, &mut run.state);
+    if run.actions == 0 {
+        run.state.clone_from(start);
     }
-    let mut run = back_at_start(Ending::StepLimit);
+    run
+}
+
+/// As [`rollout`], in a state that the caller lends: states are large, and small
+/// machines have no stack for several. Tells how many actions were taken and how the
+/// run ended; if there were none, the state is one on the way and means nothing.
+pub fn rollout_from<E: Environment>(
+    environment: &E,
+    controller: &Controller<E>,
+    objects: &[ObjectId],
+    parameters: &[f32],
+    state: &mut State,
+) -> (u32, Ending) {
+    if !(controller.initiable)(environment, state, objects, parameters) {
+        return (0, Ending::NotInitiable);
+    }
     let is_done = |state: &State, actions| {
         let terminal = &controller.terminal;
         terminal.holds(environment, state, objects, parameters, actions)
     };
-    if is_done(start, 0) {
-        run.ending = Ending::Terminal;
-        return run;
+    if is_done(state, 0) {
+        return (0, Ending::Terminal);
     }
     let mut before = Values([0.0; MAX_STATE_VALUES]);
-    while run.actions < E::MAX_CONTROLLER_STEPS {
-        before.copy_from(&run.state);
-        let action = (controller.policy)(environment, &run.state, objects, parameters);
-        if let Err(failure) = environment.simulate(&mut run.state, action) {
-            return back_at_start(Ending::Failed(failure));
+    for actions in 1..=E::MAX_CONTROLLER_STEPS {
+        before.copy_from(state);
+        let action = (controller.policy)(environment, state, objects, parameters);
+        if let Err(failure) = environment.simulate(state, action) {
+            return (0, Ending::Failed(failure));
         }
-        run.actions += 1;
-        if is_done(&run.state, run.actions) {
-            run.ending = Ending::Terminal;
-            break;
+        if is_done(state, actions) {
+            return (actions, Ending::Terminal);
         }
-        if before.agree_with(&run.state) {
-            return back_at_start(Ending::Stuck);
+        if before.agree_with(state) {
+            return (0, Ending::Stuck);
         }
     }
-    run
+    (E::MAX_CONTROLLER_STEPS, Ending::StepLimit)
 }
 
 /// The numbers of a state before a step; those beyond its length mean nothing.

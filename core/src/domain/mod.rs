@@ -105,6 +105,7 @@ pub use atom::{
 };
 pub use controller::{
     Controller, ControllerId, Ending, OfAction, Parameters, Rollout, Terminal, always, rollout,
+    rollout_from,
 };
 pub use dimension::Dimension;
 pub use environment::{Environment, Failure};
@@ -120,4 +121,4 @@ pub use schema::{
 };
 pub use state::{MAX_STATE_VALUES, Naming, ObjectId, ObjectName, ObjectType, State, TypeId};
 pub use task::{MAX_GOAL_ATOMS, Task};
-pub use trial::{Outcome, Verdict, try_operator};
+pub use trial::{Outcome, Verdict, try_operator, try_operator_from};

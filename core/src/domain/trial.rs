@@ -1,7 +1,7 @@
 //! Trying an operator with given parameters: the question that is learned.
 
 use super::atom::LiftedAtom;
-use super::controller::{Ending, rollout};
+use super::controller::{Ending, rollout_from};
 use super::environment::{Environment, Failure};
 use super::operator::Operator;
 use super::state::{ObjectId, State};
@@ -50,33 +50,47 @@ pub fn try_operator<E: Environment>(
     parameters: &[f32],
     start: &State,
 ) -> Outcome {
+    let mut outcome = Outcome {
+        state: start.clone(),
+        actions: 0,
+        verdict: Verdict::NoAction,
+    };
+    (outcome.actions, outcome.verdict) = try_operator_from(
+        environment,
+        operator,
+        objects,
+        parameters,
+        &mut outcome.state,
+    );
+    if outcome.actions == 0 {
+        outcome.state.clone_from(start);
+    }
+    outcome
+}
+
+/// As [`try_operator`], in a state that the caller lends, see [`rollout_from`]. Tells how
+/// many actions were taken, and whether the effects hold.
+pub fn try_operator_from<E: Environment>(
+    environment: &E,
+    operator: &Operator<'_>,
+    objects: &[ObjectId],
+    parameters: &[f32],
+    state: &mut State,
+) -> (u32, Verdict) {
     let controllers = environment.controllers();
     let controller = controllers.get(usize::from(operator.controller.0));
     let arguments = operator.controller_objects(objects);
     let (Some(controller), Ok(arguments)) = (controller, arguments) else {
-        return Outcome {
-            state: start.clone(),
-            actions: 0,
-            verdict: Verdict::NoAction,
-        };
+        return (0, Verdict::NoAction);
     };
-    let run = rollout(
-        environment,
-        controller,
-        arguments.as_slice(),
-        parameters,
-        start,
-    );
-    let verdict = match run.ending {
+    let arguments = arguments.as_slice();
+    let (actions, ending) = rollout_from(environment, controller, arguments, parameters, state);
+    let verdict = match ending {
         Ending::Failed(failure) => Verdict::Failed(failure),
-        _ if run.actions == 0 => Verdict::NoAction,
-        _ => judge(environment, operator, objects, &run.state),
+        _ if actions == 0 => Verdict::NoAction,
+        _ => judge(environment, operator, objects, state),
     };
-    Outcome {
-        state: run.state,
-        actions: run.actions,
-        verdict,
-    }
+    (actions, verdict)
 }
 
 fn judge<E: Environment>(
@@ -104,7 +118,7 @@ mod tests {
     use super::*;
     use crate::domain::{
         Attribute, Controller, ControllerId, Dimension, Naming, ObjectType, OperatorId, Predicate,
-        PredicateId, Terminal, TypeId,
+        PredicateId, Terminal, TypeId, rollout,
     };
     use rand_pcg::Pcg32;
 

@@ -18,9 +18,8 @@
 //! says the same.
 
 use super::hypotheses::feature_id;
-use crate::domain::{
-    Coordinate, Dimension, Domain, Extreme, Metric, Node, NodeId, Point, Relation, Sample, Scene,
-};
+use super::leaves::{Visit, attributes, coordinates, relations};
+use crate::domain::{Dimension, Domain, Node, NodeId, Sample, Scene};
 use crate::error::Error;
 use crate::real::Real;
 use crate::table::Table;
@@ -36,27 +35,37 @@ const DIMENSIONS: usize = Dimension::ALL.len();
 /// Features of one complexity and dimension, which stand together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Block {
-    start: usize,
-    kept: usize,
+    start: u16,
+    kept: u16,
     /// How many the grammar has, also those that found no room.
-    enumerated: u64,
+    enumerated: u32,
 }
 
 impl Block {
+    /// An empty block behind so many features.
+    fn behind(features: usize) -> Block {
+        Block {
+            start: feature_id(features).0,
+            ..Block::default()
+        }
+    }
+
     fn range(&self) -> Range<usize> {
-        self.start..self.start + self.kept
+        let start = usize::from(self.start);
+        start..start + usize::from(self.kept)
     }
 }
 
-type Blocks = [[Block; DIMENSIONS]; MAX_COMPLEXITY];
+/// Blocks of each complexity, from 1, and dimension.
+type Blocks<const COMPLEXITIES: usize> = [[Block; DIMENSIONS]; COMPLEXITIES];
 
 /// The features of a domain in order of complexity, and their values at a sample.
 #[derive(Debug)]
 pub struct Features<'m, R> {
     nodes: Table<'m, Node>,
     values: &'m mut [R],
-    lefts: Blocks,
-    rights: Blocks,
+    lefts: Blocks<2>,
+    rights: Blocks<MAX_COMPLEXITY>,
 }
 
 impl<'m, R: Real> Features<'m, R> {
@@ -84,18 +93,34 @@ impl<'m, R: Real> Features<'m, R> {
         nodes: &'m mut [Node],
         values: &'m mut [R],
     ) -> Result<Self, Error> {
-        let mut features = Features {
-            nodes: Table::new(nodes, "features"),
-            values,
-            lefts: Blocks::default(),
-            rights: Blocks::default(),
-        };
-        for factor in FACTORS {
-            features.nodes.push(Node::Number(factor))?;
-        }
-        features.enumerate_lefts(domain);
-        features.enumerate_rights(domain, complexity.min(MAX_COMPLEXITY));
+        let mut features = Features::empty(nodes, values);
+        features.fill(domain, complexity)?;
         Ok(features)
+    }
+
+    /// A table without features, for [`Features::fill`].
+    pub(crate) fn empty(nodes: &'m mut [Node], values: &'m mut [R]) -> Self {
+        // A term has no name for more.
+        let room = nodes.len().min(usize::from(u16::MAX));
+        Features {
+            nodes: Table::new(nodes.get_mut(..room).unwrap_or_default(), "features"),
+            values,
+            lefts: Default::default(),
+            rights: Default::default(),
+        }
+    }
+
+    /// Enumerates the features of a domain up to a complexity, where the table lies.
+    ///
+    /// # Errors
+    /// Those of [`Features::enumerate`].
+    pub(crate) fn fill(&mut self, domain: &Domain<'_>, complexity: usize) -> Result<(), Error> {
+        for factor in FACTORS {
+            self.nodes.push(Node::Number(factor))?;
+        }
+        self.enumerate_lefts(domain);
+        self.enumerate_rights(domain, complexity.min(MAX_COMPLEXITY));
+        Ok(())
     }
 
     /// How many features are kept.
@@ -132,12 +157,16 @@ impl<'m, R: Real> Features<'m, R> {
 
     /// How many left sides the grammar has, with those that found no room.
     pub fn enumerated_lefts(&self, complexity: usize, dimension: Dimension) -> u64 {
-        block_at(&self.lefts, complexity, dimension).enumerated
+        block_at(&self.lefts, complexity, dimension)
+            .enumerated
+            .into()
     }
 
     /// How many right sides the grammar has, with those that found no room.
     pub fn enumerated_rights(&self, complexity: usize, dimension: Dimension) -> u64 {
-        block_at(&self.rights, complexity, dimension).enumerated
+        block_at(&self.rights, complexity, dimension)
+            .enumerated
+            .into()
     }
 
     /// Computes every feature at a sample, each once.
@@ -154,17 +183,21 @@ impl<'m, R: Real> Features<'m, R> {
         let room = self.nodes.capacity() / 4;
         let sampled = !domain.parameters().is_empty();
         for dimension in Dimension::ALL {
-            let parameters = (0u8..).zip(domain.parameters());
-            let own = parameters.filter(|(_, p)| p.dimension == dimension);
-            let nodes = own.map(|(i, _)| Node::Parameter(i));
-            let state = attributes(domain, dimension).filter(|_| !sampled);
-            let nodes = nodes.chain(state);
-            let nodes = nodes.chain(coordinates(domain, dimension, sampled));
-            let block = self.append(nodes, room);
+            let block = self.append(room, |visit| {
+                for (index, parameter) in (0u8..).zip(domain.parameters()) {
+                    if parameter.dimension == dimension {
+                        visit(Node::Parameter(index));
+                    }
+                }
+                if !sampled {
+                    attributes(domain, dimension, visit);
+                }
+                coordinates(domain, dimension, sampled, visit);
+            });
             set_block(&mut self.lefts, 1, dimension, block);
         }
         for dimension in Dimension::ALL {
-            let block = self.append(relations(domain, dimension, sampled), room);
+            let block = self.append(room, |visit| relations(domain, dimension, sampled, visit));
             set_block(&mut self.lefts, 2, dimension, block);
         }
     }
@@ -188,32 +221,34 @@ impl<'m, R: Real> Features<'m, R> {
     }
 
     fn leaves(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
-        let numbers = FACTORS.into_iter().chain([1.0]);
-        let plain = dimension == Dimension::None;
-        let numbers = numbers.filter(|_| plain).map(Node::Number);
-        let constants = (0u8..).zip(domain.constants());
-        let constants = constants.filter(|(_, c)| c.dimension == dimension);
-        let nodes = constants
-            .map(|(i, _)| Node::Constant(i))
-            .chain(attributes(domain, dimension))
-            .chain(coordinates(domain, dimension, false))
-            .chain(numbers);
-        self.append(nodes, usize::MAX)
+        self.append(usize::MAX, |visit| {
+            for (index, constant) in (0u8..).zip(domain.constants()) {
+                if constant.dimension == dimension {
+                    visit(Node::Constant(index));
+                }
+            }
+            attributes(domain, dimension, visit);
+            coordinates(domain, dimension, false, visit);
+            if dimension == Dimension::None {
+                for number in FACTORS.into_iter().chain([1.0]) {
+                    visit(Node::Number(number));
+                }
+            }
+        })
     }
 
     fn relations_and_scaled(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
-        let mut block = self.append(relations(domain, dimension, false), usize::MAX);
+        let mut block = self.append(usize::MAX, |visit| {
+            relations(domain, dimension, false, visit);
+        });
         self.scale(&mut block, self.rights(1, dimension));
         let leaves = proper(block_at(&self.rights, 1, dimension), dimension);
-        block.enumerated += FACTORS.len() as u64 * leaves;
+        block.enumerated += FACTORS.len() as u32 * leaves;
         block
     }
 
     fn pairs_and_scaled_relations(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
-        let mut block = Block {
-            start: self.nodes.len(),
-            ..Block::default()
-        };
+        let mut block = Block::behind(self.nodes.len());
         let leaves = self.rights(1, dimension);
         for b in leaves.clone() {
             for a in leaves.start..b {
@@ -222,21 +257,18 @@ impl<'m, R: Real> Features<'m, R> {
                 self.combine(&mut block, b, a, Node::Difference);
             }
         }
-        let relations = relations(domain, dimension, false).count();
+        let relations = count_relations(domain, dimension);
         let first = self.rights(2, dimension).start;
-        let kept = self.rights(2, dimension).len().min(relations);
+        let kept = self.rights(2, dimension).len().min(relations as usize);
         self.scale(&mut block, first..first + kept);
         let leaves = proper(block_at(&self.rights, 1, dimension), dimension);
         let pairs = leaves * leaves.saturating_sub(1) / 2;
-        block.enumerated = FACTORS.len() as u64 * relations as u64 + 3 * pairs;
+        block.enumerated = FACTORS.len() as u32 * relations + 3 * pairs;
         block
     }
 
     fn mixed_pairs(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
-        let mut block = Block {
-            start: self.nodes.len(),
-            ..Block::default()
-        };
+        let mut block = Block::behind(self.nodes.len());
         for b in self.rights(2, dimension) {
             for a in self.rights(1, dimension) {
                 if self.is_scaled_from(b, a) {
@@ -248,24 +280,21 @@ impl<'m, R: Real> Features<'m, R> {
             }
         }
         let leaves = proper(block_at(&self.rights, 1, dimension), dimension);
-        let relations = relations(domain, dimension, false).count() as u64;
-        let scaled = FACTORS.len() as u64 * leaves.saturating_sub(1);
+        let relations = count_relations(domain, dimension);
+        let scaled = FACTORS.len() as u32 * leaves.saturating_sub(1);
         block.enumerated = 3 * leaves * (relations + scaled);
         block
     }
 
-    /// Appends what fits and counts all.
-    fn append(&mut self, nodes: impl Iterator<Item = Node>, room: usize) -> Block {
-        let mut block = Block {
-            start: self.nodes.len(),
-            ..Block::default()
-        };
-        for node in nodes {
+    /// Appends what fits, as long as there are not `room` features, and counts all.
+    fn append(&mut self, room: usize, each: impl FnOnce(Visit<'_>)) -> Block {
+        let mut block = Block::behind(self.nodes.len());
+        each(&mut |node| {
             block.enumerated += 1;
             if self.nodes.len() < room && self.nodes.push(node).is_ok() {
                 block.kept += 1;
             }
-        }
+        });
         block
     }
 
@@ -302,6 +331,7 @@ impl<'m, R: Real> Features<'m, R> {
     }
 }
 
+#[inline(never)]
 fn evaluate<R: Real>(nodes: &[Node], scene: &Scene<'_, R>, theta: &[R], values: &mut [R]) {
     let sample: Sample<'_, '_, R, R> = scene.sample(theta);
     for (index, node) in nodes.iter().enumerate() {
@@ -314,13 +344,18 @@ fn evaluate<R: Real>(nodes: &[Node], scene: &Scene<'_, R>, theta: &[R], values: 
     }
 }
 
-fn block_at(blocks: &Blocks, complexity: usize, dimension: Dimension) -> Block {
+fn block_at(blocks: &[[Block; DIMENSIONS]], complexity: usize, dimension: Dimension) -> Block {
     let row = complexity.checked_sub(1).and_then(|c| blocks.get(c));
     let block = row.and_then(|row| row.get(dimension as usize));
     block.copied().unwrap_or_default()
 }
 
-fn set_block(blocks: &mut Blocks, complexity: usize, dimension: Dimension, block: Block) {
+fn set_block(
+    blocks: &mut [[Block; DIMENSIONS]],
+    complexity: usize,
+    dimension: Dimension,
+    block: Block,
+) {
     let row = complexity.checked_sub(1).and_then(|c| blocks.get_mut(c));
     if let Some(slot) = row.and_then(|row| row.get_mut(dimension as usize)) {
         *slot = block;
@@ -328,121 +363,17 @@ fn set_block(blocks: &mut Blocks, complexity: usize, dimension: Dimension, block
 }
 
 /// How many features of a block of complexity 1 are no plain numbers.
-fn proper(block: Block, dimension: Dimension) -> u64 {
+fn proper(block: Block, dimension: Dimension) -> u32 {
     let numbers = match dimension {
-        Dimension::None => FACTORS.len() as u64 + 1,
+        Dimension::None => FACTORS.len() as u32 + 1,
         _ => 0,
     };
     block.enumerated.saturating_sub(numbers)
 }
 
-/// How the grammar says a term: as it is, or, if it is about a group, as the extremes
-/// over it. The first member stands for all.
-fn said(domain: &Domain<'_>, term: Node) -> impl Iterator<Item = Node> + use<> {
-    let members = domain.members_in(term);
-    let mut members = members.iter().flatten();
-    let (plain, quantified) = match (members.next(), members.next()) {
-        (None, _) => (Some(term), None),
-        (Some(member), None) if member.index == 0 => (None, Relation::of(term)),
-        _ => (None, None),
-    };
-    let extremes = quantified
-        .into_iter()
-        .flat_map(|relation| Extreme::ALL.map(|extreme| Node::Extreme(extreme, relation)));
-    plain.into_iter().chain(extremes)
-}
-
-/// The attributes of objects.
-fn attributes<'d>(domain: &'d Domain<'_>, dimension: Dimension) -> impl Iterator<Item = Node> + 'd {
-    let slots = (0u8..).zip(domain.slots());
-    let own = slots.filter(move |(_, (_, attribute))| attribute.dimension == dimension);
-    own.flat_map(|(i, _)| said(domain, Node::Attribute(i)))
-}
-
-/// The coordinates of sample points, or of key points. Those of an object are
-/// its attributes.
-fn coordinates<'d>(
-    domain: &'d Domain<'_>,
-    dimension: Dimension,
-    sampled: bool,
-) -> impl Iterator<Item = Node> + 'd {
-    let axes: &[Coordinate] = match (dimension, domain.axes()) {
-        (Dimension::Length, 1) => &[Coordinate::X],
-        (Dimension::Length, 2) => &[Coordinate::X, Coordinate::Y],
-        (Dimension::Length, _) => &[Coordinate::X, Coordinate::Y, Coordinate::Z],
-        (Dimension::Angle, _) => &[Coordinate::Theta],
-        _ => &[],
-    };
-    let points = (0u8..).zip(domain.points());
-    let own = points.filter(move |(_, p)| p.sampled == sampled && !p.is_object());
-    own.flat_map(move |(index, point)| {
-        let axes = axes.iter().copied();
-        let turning = axes.filter(|axis| *axis != Coordinate::Theta || point.turn != [None; 3]);
-        turning.flat_map(move |axis| said(domain, Node::Coordinate(axis, index)))
-    })
-}
-
-/// Angles at a vertex between the directions to two other points, of the sample or not:
-/// where nothing has a heading, they are the angles that there are. Key points are left
-/// out, because they lie in the directions of their objects.
-fn vertex_angles<'d>(domain: &'d Domain<'_>, sampled: bool) -> impl Iterator<Item = Node> + 'd {
-    let headed = domain.has_headings();
-    let all = (0u8..).zip(domain.points()).filter(move |_| !headed);
-    let points = all.filter(|(_, p)| p.is_object() || p.sampled);
-    let vertices = points.clone();
-    vertices.flat_map(move |(vertex, at)| {
-        let ends = points.clone().filter(move |(index, _)| *index != vertex);
-        ends.clone().flat_map(move |(a, first)| {
-            let others = ends.clone().take_while(move |(index, _)| *index < a);
-            let wanted = move |second: &Point<'_>| {
-                (at.sampled || first.sampled || second.sampled) == sampled
-            };
-            let others = others.filter(move |(_, second)| wanted(second));
-            others.map(move |(b, _)| Node::VertexAngle(a, vertex, b))
-        })
-    })
-}
-
-/// Distances, angle differences and areas, of the sample or not.
-fn relations<'d>(
-    domain: &'d Domain<'_>,
-    dimension: Dimension,
-    sampled: bool,
-) -> impl Iterator<Item = Node> + 'd {
-    let metrics: &[Metric] = match (dimension, domain.axes()) {
-        // On a line there is one way to measure.
-        (Dimension::Length, 1) => &[Metric::Straight],
-        (Dimension::Length, 2) => &[Metric::X, Metric::Y, Metric::Straight],
-        (Dimension::Length, _) => &[Metric::X, Metric::Y, Metric::Z, Metric::Straight],
-        _ => &[],
-    };
-    let angles = dimension == Dimension::Angle;
-    let shapes = match dimension {
-        Dimension::Area if !sampled => domain.shapes().len(),
-        _ => 0,
-    };
-    let points = domain.points();
-    let pairs = (0u8..).zip(points).flat_map(move |(a, first)| {
-        let others = (0u8..).zip(points).take(usize::from(a));
-        others.filter_map(move |(b, second)| {
-            let wanted = (first.sampled || second.sampled) == sampled;
-            wanted.then_some(((a, first), (b, second)))
-        })
-    });
-    // The sample point first, as one would say it.
-    let ordered = pairs.map(|((a, first), (b, second))| {
-        if second.sampled && !first.sampled {
-            ((b, second), (a, first))
-        } else {
-            ((a, first), (b, second))
-        }
-    });
-    let nodes = ordered.flat_map(move |((a, first), (b, second))| {
-        let distances = metrics.iter().map(move |m| Node::Distance(*m, a, b));
-        let turned = angles && first.has_heading() && second.has_heading();
-        distances.chain(turned.then_some(Node::Angle(a, b)))
-    });
-    let nodes = nodes.chain(vertex_angles(domain, sampled).filter(move |_| angles));
-    let said = nodes.flat_map(|term| said(domain, term));
-    said.chain((0u8..).take(shapes).map(Node::Area))
+/// How many distances, angles or areas there are between things of an instance.
+fn count_relations(domain: &Domain<'_>, dimension: Dimension) -> u32 {
+    let mut count = 0;
+    relations(domain, dimension, false, &mut |_| count += 1);
+    count
 }

@@ -9,6 +9,7 @@ mod conjuncts;
 mod features;
 mod formula;
 mod hypotheses;
+mod leaves;
 
 pub use conjuncts::Conjunct;
 pub use features::{FACTORS, Features, MAX_COMPLEXITY};

@@ -233,6 +233,7 @@ impl<'t> DomainParser<'_, 't> {
 
     /// Declares a point, or one of each member of a group if the base is one of its
     /// first member.
+    #[inline(never)]
     pub(super) fn point(
         &mut self,
         owner: &'t str,

@@ -39,7 +39,7 @@ pub use predicates::{
     ABOVE_NO_BUTTON, GRASPED, HAND_EMPTY, PRESSED, ROBOT_ABOVE_BUTTON, STICK_ABOVE_BUTTON,
 };
 pub use press::STICK_PRESS_BUTTON_FROM_NOTHING;
-pub use tasks::MAX_BUTTONS;
+pub use tasks::{Arrangement, MAX_BUTTONS};
 pub use world::World;
 
 use crate::domain::{

@@ -1,7 +1,7 @@
 //! PickStick as something to learn about: its domain text and its simulator.
 
 use super::{ROBOT, STICK, StickButton, World};
-use crate::domain::{Environment, OperatorId, Outcome, State, try_operator};
+use crate::domain::{Environment, OperatorId, State, Verdict, try_operator_from};
 use crate::error::Error;
 use crate::learn::Answer;
 
@@ -22,17 +22,19 @@ impl StickButton {
     /// [`Error::InvalidArgument`] if the instance has another length or there is
     /// no parameter.
     pub fn try_pick(&self, instance: &[f64], theta: &[f64]) -> Result<Answer, Error> {
-        let outcome = pick(self, &instance_state(instance)?, theta)?;
-        Ok(Answer::from_feasible(outcome.is_feasible()))
+        let mut state = State::new();
+        read_instance(instance, &mut state)?;
+        let verdict = pick(self, &mut state, theta)?;
+        Ok(Answer::from_feasible(verdict == Verdict::Feasible))
     }
 }
 
-/// Rolls PickStick out from a state.
+/// Rolls PickStick out in a state.
 pub(super) fn pick(
     environment: &StickButton,
-    state: &State,
+    state: &mut State,
     theta: &[f64],
-) -> Result<Outcome, Error> {
+) -> Result<Verdict, Error> {
     let mu = theta
         .first()
         .ok_or(Error::InvalidArgument("picking needs the parameter mu"))?;
@@ -41,22 +43,18 @@ pub(super) fn pick(
         .get(usize::from(PICK_STICK_FROM_NOTHING.0))
         .ok_or(Error::InvalidArgument("there is no such operator"))?;
     let objects = [ROBOT, STICK];
-    Ok(try_operator(
-        environment,
-        pick,
-        &objects,
-        &[*mu as f32],
-        state,
-    ))
+    let (_, verdict) = try_operator_from(environment, pick, &objects, &[*mu as f32], state);
+    Ok(verdict)
 }
 
-pub(super) fn instance_state(instance: &[f64]) -> Result<State, Error> {
+/// Adds what an instance describes to a state without objects.
+pub(super) fn read_instance(instance: &[f64], state: &mut State) -> Result<(), Error> {
     World::read(instance)
         .filter(|world| world.buttons.len() == 1)
         .ok_or(Error::InvalidArgument(
             "an instance has 13 numbers: robot, stick, holder and one button",
         ))?
-        .to_state()
+        .add_to(state)
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! PickStick and then StickPressButton, as one thing to learn about: where to
 //! grasp the stick so that its tip reaches the button.
 
-use super::pick::{instance_state, pick};
+use super::pick::{pick, read_instance};
 use super::{FIRST_BUTTON, ROBOT, STICK, StickButton};
-use crate::domain::{Environment, OperatorId, try_operator};
+use crate::domain::{Environment, OperatorId, State, Verdict, try_operator_from};
 use crate::error::Error;
 use crate::learn::Answer;
 
@@ -18,9 +18,9 @@ impl StickButton {
     /// # Errors
     /// Those of [`StickButton::try_pick`].
     pub fn try_pick_and_press(&self, instance: &[f64], theta: &[f64]) -> Result<Answer, Error> {
-        let state = instance_state(instance)?;
-        let picked = pick(self, &state, theta)?;
-        if !picked.is_feasible() {
+        let mut state = State::new();
+        read_instance(instance, &mut state)?;
+        if pick(self, &mut state, theta)? != Verdict::Feasible {
             return Ok(Answer::FailedStep(1));
         }
         let operators = self.operators();
@@ -28,8 +28,8 @@ impl StickButton {
             .get(usize::from(STICK_PRESS_BUTTON_FROM_NOTHING.0))
             .ok_or(Error::InvalidArgument("there is no such operator"))?;
         let objects = [ROBOT, STICK, FIRST_BUTTON];
-        let pressed = try_operator(self, press, &objects, &[], &picked.state);
-        Ok(if pressed.is_feasible() {
+        let (_, verdict) = try_operator_from(self, press, &objects, &[], &mut state);
+        Ok(if verdict == Verdict::Feasible {
             Answer::Feasible
         } else {
             Answer::FailedStep(2)

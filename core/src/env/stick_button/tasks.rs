@@ -34,10 +34,40 @@ const MAX_DRAWS: usize = 10_000;
 const NO_ROOM: Error =
     Error::InvalidArgument("found no free place for all objects: ask for fewer buttons");
 
+/// Where everything lies in a new task.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arrangement {
+    robot: [f64; 3],
+    stick: [f64; 4],
+    holder: [f64; 3],
+    buttons: Vec<[f64; 3], MAX_BUTTONS>,
+}
+
+impl Arrangement {
+    /// What lies on the table.
+    pub fn world(&self) -> World<'_> {
+        World {
+            robot: &self.robot,
+            stick: &self.stick,
+            holder: &self.holder,
+            buttons: &self.buttons,
+        }
+    }
+}
+
 impl StickButton {
     /// A random task with a number of buttons drawn from `buttons`: one or two
     /// for training, three or four for the framework's tests, one for those of
     /// the thesis.
+    ///
+    /// # Errors
+    /// Those of [`StickButton::arrange`].
+    pub fn task<G: Rng>(&self, buttons: RangeInclusive<usize>, rng: &mut G) -> Result<Task, Error> {
+        press_all(&self.arrange(buttons, rng)?.world())
+    }
+
+    /// Where everything lies in a random task, see [`StickButton::task`]; smaller than
+    /// its state.
     ///
     /// Buttons lie anywhere on the table, robot and stick in the reachable zone,
     /// all apart from one another; the holder lies under the stick, and so that a
@@ -46,7 +76,11 @@ impl StickButton {
     /// # Errors
     /// [`Error::InvalidArgument`] if `buttons` is empty or not within one and
     /// [`MAX_BUTTONS`], or if the objects find no room in 10 000 draws each.
-    pub fn task<G: Rng>(&self, buttons: RangeInclusive<usize>, rng: &mut G) -> Result<Task, Error> {
+    pub fn arrange<G: Rng>(
+        &self,
+        buttons: RangeInclusive<usize>,
+        rng: &mut G,
+    ) -> Result<Arrangement, Error> {
         let (least, most) = buttons.into_inner();
         if least < 1 || most < least || most > MAX_BUTTONS {
             return Err(Error::InvalidArgument(
@@ -70,11 +104,11 @@ impl StickButton {
         let stick = self.free_stick(&taken, rng)?;
         let highest = buttons.iter().fold(0.0, |top, [_, y, _]| f64::max(top, *y));
         let holder = holder_under(&stick, highest, rng)?;
-        press_all(&World {
-            robot: &robot,
-            stick: &stick,
-            holder: &holder,
-            buttons: &buttons,
+        Ok(Arrangement {
+            robot,
+            stick,
+            holder,
+            buttons,
         })
     }
 

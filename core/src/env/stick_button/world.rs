@@ -51,15 +51,33 @@ impl<'a> World<'a> {
     /// # Errors
     /// [`Error::CapacityExceeded`] with more buttons than a state can hold.
     pub fn to_state(&self) -> Result<State, Error> {
-        let types = StickButton::default().types();
         let mut state = State::new();
+        self.add_to(&mut state)?;
+        Ok(state)
+    }
+
+    /// Adds all objects to a state that has none.
+    pub(super) fn add_to(&self, state: &mut State) -> Result<(), Error> {
+        let types = StickButton::default().types();
         state.add(types, ROBOT_TYPE, self.robot)?;
         state.add(types, STICK_TYPE, self.stick)?;
         state.add(types, HOLDER_TYPE, self.holder)?;
         for button in self.buttons {
             state.add(types, BUTTON_TYPE, button)?;
         }
-        Ok(state)
+        Ok(())
+    }
+
+    /// The numbers of its state, in their order.
+    pub fn values(&self) -> impl Iterator<Item = f64> {
+        let World {
+            robot,
+            stick,
+            holder,
+            buttons,
+        } = *self;
+        let fixed = robot.iter().chain(stick).chain(holder);
+        fixed.chain(buttons.as_flattened()).copied()
     }
 }
 

@@ -4,93 +4,105 @@ use super::question::{Choice, anywhere};
 use super::{Pending, VersionSpace};
 use crate::error::Error;
 use crate::learn::{Learner, Problem, Query};
-use crate::random::{below, uniform};
+use crate::random::{Generator, below, uniform};
 use crate::real::Real;
 
 /// Instances in which a draw from the region is tried.
 const DRAWS: usize = 8;
 
 impl<'m, R: Real> VersionSpace<'m, R> {
-    pub(super) fn next_query(&mut self, problem: &Problem<'_>) -> Result<Pending, Error> {
+    /// Chooses what is pending.
+    #[inline(never)]
+    pub(super) fn next_query(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
         if self.is_finished() {
             return Err(Error::OutOfSequence(
                 "learning is finished: ask for the region",
             ));
         }
-        let mut pending = Pending {
-            query: anywhere(problem, &mut self.rng),
-            lead: 0,
-            failed_step: 0,
-            certifying: false,
-        };
+        let mut query = anywhere(problem, &mut self.rng);
         if self.unasked.is_some()
             && let Some(instance) = self.unasked_instance(problem)
         {
-            pending.query.instance = instance;
+            query.instance = instance;
         }
-        if self.report.feasible == 0 || self.report.infeasible == 0 {
-            return Ok(pending);
-        }
-        if self.calls_left() <= self.certify_from && self.is_explained() {
-            if !self.certifying {
-                self.certifying = true;
-                self.elect(problem.domain())?;
+        let mut certifying = false;
+        if self.report.feasible > 0 && self.report.infeasible > 0 {
+            certifying = self.calls_left() <= self.certify_from && self.is_explained();
+            if certifying {
+                certifying = self.draw_to_certify(problem, &mut query)?;
+            } else {
+                self.question(problem, &mut query)?;
             }
-            if let Some(query) = self.draw(problem)? {
-                pending.query = query;
-                pending.certifying = true;
-            }
-            return Ok(pending);
         }
+        self.pending = Some(Pending {
+            query,
+            lead: 0,
+            failed_step: 0,
+            certifying,
+        });
+        Ok(())
+    }
+
+    /// What tells explanations apart, or looks for what nobody suspects; the query stays
+    /// if there is nothing.
+    #[inline(never)]
+    fn question(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<(), Error> {
         if self.is_doubtful() {
             self.elect(problem.domain())?;
         } else {
             self.mend();
         }
-        if let Some(query) = self.question(problem)? {
-            pending.query = query;
-        }
-        Ok(pending)
-    }
-
-    /// What tells explanations apart, or looks for what nobody suspects.
-    fn question(&mut self, problem: &Problem<'_>) -> Result<Option<Query>, Error> {
+        // An election in between has lots of its own.
         let mut rng = self.rng.clone();
-        if self.unasked.is_some() {
-            let chosen = self.choice().best_unasked(problem, &mut rng)?;
-            self.rng = rng;
-            return Ok(chosen);
-        }
-        let exploring = uniform(&mut rng) < self.config.exploring;
-        let mut chosen = None;
-        if !exploring {
-            chosen = self.choice().best(problem, &mut rng)?;
-        }
-        if !exploring && chosen.is_none() && !self.elected {
-            // Nothing is left to ask: is there a better explanation to be doubted?
-            self.elect(problem.domain())?;
-            chosen = self.choice().best(problem, &mut rng)?;
-        }
-        if chosen.is_none() {
-            chosen = self.choice().farthest(problem, &mut rng)?;
-        }
+        self.choose(problem, &mut rng, query)?;
         self.rng = rng;
-        Ok(chosen)
+        Ok(())
     }
 
+    fn choose(
+        &mut self,
+        problem: &Problem<'_>,
+        rng: &mut Generator,
+        query: &mut Query,
+    ) -> Result<bool, Error> {
+        if self.unasked.is_some() {
+            let (choice, lefts) = self.choice();
+            return choice.best_unasked(problem, lefts, rng, query);
+        }
+        if uniform(rng) >= self.config.exploring {
+            let (choice, lefts) = self.choice();
+            if choice.best(problem, lefts, rng, query)? {
+                return Ok(true);
+            }
+            if !self.elected {
+                // Nothing is left to ask: is there a better explanation to be doubted?
+                self.elect(problem.domain())?;
+                let (choice, lefts) = self.choice();
+                if choice.best(problem, lefts, rng, query)? {
+                    return Ok(true);
+                }
+            }
+        }
+        let (choice, lefts) = self.choice();
+        choice.farthest(problem, lefts, rng, query)
+    }
+
+    #[inline(never)]
     fn unasked_instance(&mut self, problem: &Problem<'_>) -> Option<usize> {
         let mut rng = self.rng.clone();
-        let instance = self.choice().unasked(problem, &mut rng);
+        let instance = self.choice().0.unasked(problem, &mut rng);
         self.rng = rng;
         instance
     }
 
-    fn choice(&self) -> Choice<'_, 'm, R> {
-        Choice {
+    /// What is known when a question is chosen, and room for the left sides at a sample.
+    fn choice(&mut self) -> (Choice<'_, 'm, R>, &mut [R]) {
+        let choice = Choice {
             forms: &self.forms,
             covers: self.covers,
             observations: self.observations.as_slice(),
-        }
+        };
+        (choice, self.lefts)
     }
 
     pub(super) fn calls_left(&self) -> u32 {
@@ -99,25 +111,38 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         self.unasked.map_or(left, |unasked| unasked.min(left))
     }
 
+    /// A draw from the region, after an election if it is the first.
+    fn draw_to_certify(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<bool, Error> {
+        if !self.certifying {
+            self.certifying = true;
+            self.elect(problem.domain())?;
+        }
+        self.draw(problem, query)
+    }
+
     /// A draw from the region in some instance, one that was not asked about if
     /// there is nothing else to ask about.
-    fn draw(&mut self, problem: &Problem<'_>) -> Result<Option<Query>, Error> {
+    #[inline(never)]
+    fn draw(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<bool, Error> {
         for _ in 0..DRAWS {
             let mut instance = below(&mut self.rng, problem.count());
             if self.unasked.is_some() {
                 match self.unasked_instance(problem) {
                     Some(unasked) => instance = unasked,
-                    None => return Ok(None),
+                    None => return Ok(false),
                 }
             }
             let values = problem.instance(instance)?;
             let region = &self.region;
             match region.sample::<R>(problem.domain(), values, &mut self.rng) {
-                Ok(theta) => return Ok(Some(Query { instance, theta })),
+                Ok(theta) => {
+                    *query = Query { instance, theta };
+                    return Ok(true);
+                }
                 Err(Error::EmptyRegion | Error::NoSample) => {}
                 Err(error) => return Err(error),
             }
         }
-        Ok(None)
+        Ok(false)
     }
 }

@@ -39,7 +39,7 @@ pub(super) struct Bound<R> {
 struct Stray<R> {
     instance: usize,
     by: R,
-    samples: f64,
+    samples: u32,
 }
 
 impl<R: Real> Bound<R> {
@@ -114,13 +114,13 @@ impl<R: Real> Bound<R> {
             let instance = forms.instance_of(sample);
             if let Some(stray) = strays.iter_mut().find(|s| s.instance == instance) {
                 stray.by = stray.by.max(by);
-                stray.samples += 1.0;
+                stray.samples += 1;
                 return by <= zone;
             }
             let stray = Stray {
                 instance,
                 by,
-                samples: 1.0,
+                samples: 1,
             };
             strays.push(stray).is_ok() && by <= zone
         };
@@ -138,7 +138,9 @@ impl<R: Real> Bound<R> {
             let last = own(inside).fold(-R::INFINITY, R::max);
             let first = own(outside).fold(R::INFINITY, R::min);
             let mixed = if last < first { 0.0 } else { STRAY_SAMPLE };
-            STRAY + STRAY_PER_RANGE * (stray.by / self.range).to_f64() + mixed * stray.samples
+            STRAY
+                + STRAY_PER_RANGE * (stray.by / self.range).to_f64()
+                + mixed * f64::from(stray.samples)
         };
         self.strain = R::from_f64(strays.iter().map(cost).sum());
         true

@@ -28,6 +28,7 @@ const SECOND_FORM: f64 = 0.1;
 const LEVEL: u8 = 1;
 
 /// The constraint of two bounds that excludes most of `left` for its length.
+#[inline(never)]
 pub(super) fn best_clause<R: Real>(
     forms: &Forms<'_, R>,
     left: &Set,
@@ -43,11 +44,9 @@ pub(super) fn best_clause<R: Real>(
             left,
             pivot,
         };
-        for start in search.intervals().iter().copied() {
-            best.offer(search.polish(start));
-        }
+        search.offer_intervals(&mut best);
         if let Some(start) = search.pair().0 {
-            best.offer(search.polish(start));
+            search.offer_polished(&start, &mut best);
         }
     }
     best.0.map(|candidate| candidate.chosen)
@@ -102,9 +101,10 @@ struct Search<'s, 'm, R> {
 }
 
 impl<R: Real> Search<'_, '_, R> {
-    /// For some left sides the constraint without an interval of values around the
-    /// pivot, in which nothing works.
-    fn intervals(&self) -> Vec<Candidate<R>, STARTS> {
+    /// Offers, for some left sides, what is near the constraint without an interval of
+    /// values around the pivot in which nothing works.
+    #[inline(never)]
+    fn offer_intervals(&self, all: &mut Best<R>) {
         let mut best: Vec<Candidate<R>, STARTS> = Vec::new();
         self.forms.for_each_side(u8::MAX, |below| {
             let Some(new) = below.upper.then(|| self.interval(below)).flatten() else {
@@ -119,7 +119,9 @@ impl<R: Real> Search<'_, '_, R> {
             }
             insert_sorted(&mut best, new, |a, b| a.worth > b.worth);
         });
-        best
+        for start in &best {
+            self.offer_polished(start, all);
+        }
     }
 
     fn interval(&self, below: Side) -> Option<Candidate<R>> {
@@ -160,6 +162,7 @@ impl<R: Real> Search<'_, '_, R> {
         best
     }
 
+    #[inline(never)]
     fn candidate(&self, sides: [Side; 2]) -> Option<Candidate<R>> {
         let [first, second] = sides;
         let value = |side: &Side, sample| self.forms.value_at(side, sample);
@@ -173,10 +176,12 @@ impl<R: Real> Search<'_, '_, R> {
         Some(Candidate::new(chosen, excluded))
     }
 
-    /// Tries other right sides of any level, for one bound after the other.
-    fn polish(&self, start: Candidate<R>) -> Candidate<R> {
-        let mut best = Best(Some(start));
-        let mut polished = start;
+    /// Tries other right sides of any level, for one bound after the other, and offers
+    /// the best.
+    #[inline(never)]
+    fn offer_polished(&self, start: &Candidate<R>, all: &mut Best<R>) {
+        let mut best = Best(Some(*start));
+        let mut polished = *start;
         for _ in 0..ROUNDS {
             for_each_neighbour(self.forms, &polished.chosen, |sides| {
                 if let Some(new) = self.candidate(sides) {
@@ -185,7 +190,7 @@ impl<R: Real> Search<'_, '_, R> {
             });
             polished = best.0.unwrap_or(polished);
         }
-        polished
+        all.offer(polished);
     }
 
     /// The bounds that split the feasible samples and leave most others outside.

@@ -19,7 +19,7 @@ pub const MAX_OBSERVATIONS: usize = 64 * MAX_WORDS;
 /// | `bits` | 16 per form tracked and 64 observations |
 /// | `features`, `columns` | 18 per 8 forms, and 64 more |
 /// | `instances` | 1 per form and instance, and 512 per instance |
-/// | `rows` | [`Capacity::lefts`] times 8 per observation |
+/// | `rows`, `lefts` | [`Capacity::lefts`] times 8 per observation, and once more |
 /// | `covers` | 5120 per step |
 /// | `sets` | 16 per step and 64 observations |
 /// | `region`, `support` | about 4200 |
@@ -136,6 +136,8 @@ pub struct Memory<'m, R> {
     pub bits: &'m mut [u64],
     /// [`Capacity::rows`] numbers.
     pub rows: &'m mut [R],
+    /// [`Capacity::lefts`] numbers.
+    pub lefts: &'m mut [R],
     /// [`Capacity::sets`] words.
     pub sets: &'m mut [u64],
     /// [`Capacity::covers`] explanations.

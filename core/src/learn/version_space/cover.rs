@@ -10,7 +10,7 @@ use super::bound::Bound;
 use super::clause::{best_clause, between, corner, for_each_neighbour};
 use super::forms::{Forms, MAX_WORDS, Set, Side, tolerance};
 use super::greedy::{Taste, best_side};
-use super::set::{count, insert, is_empty, members, remove};
+use super::set::{count, insert, is_empty, members, remove, unite};
 use crate::random::Generator;
 use crate::real::Real;
 use crate::table::{move_last, take_out};
@@ -70,9 +70,9 @@ impl<R: Real> Chosen<R> {
     }
 
     /// The length of its description in bits, after that of `others`.
-    pub(super) fn bits(&self, forms: &Forms<'_, R>, others: &[Chosen<R>]) -> f64 {
+    pub(super) fn bits(&self, forms: &Forms<'_, R>, others: [&[Chosen<R>]; 2]) -> f64 {
         let named = |side: &Side| {
-            let mut known = others.iter().flat_map(Chosen::bounds);
+            let mut known = others.into_iter().flatten().flat_map(Chosen::bounds);
             known.any(|other| other.side.form == side.form)
         };
         let first = &self.bound;
@@ -117,19 +117,21 @@ impl<R: Real> Chosen<R> {
         [self.bound.inner, or.inner] = corner.unwrap_or([R::INFINITY; 2]);
     }
 
-    /// Puts its bounds between the feasible samples and those that it must exclude.
-    fn fit(&self, forms: &Forms<'_, R>, step: usize, own: &Set, slack: f64) -> Option<Self> {
-        let mut fitted = *self;
+    /// Puts its bounds between the feasible samples and those that it must exclude. If it
+    /// cannot, it stays as it is and says so.
+    #[inline(never)]
+    fn fit(&mut self, forms: &Forms<'_, R>, step: usize, own: &Set, slack: f64) -> bool {
         if self.or.is_some() {
-            for bound in fitted.bounds_mut() {
+            for bound in self.bounds_mut() {
                 bound.outer = first_of(forms, &bound.side, own);
             }
-            return Some(fitted);
+            return true;
         }
         let feasible = forms.feasible(step);
         let Bound { side, range, .. } = self.bound;
-        fitted.bound = Bound::between(forms, side, &feasible, own, range, slack)?;
-        Some(fitted)
+        let fitted = Bound::between(forms, side, &feasible, own, range, slack);
+        self.bound = fitted.unwrap_or(self.bound);
+        fitted.is_some()
     }
 }
 
@@ -162,39 +164,55 @@ impl<R> Default for Cover<R> {
 }
 
 impl<R: Real> Cover<R> {
-    /// A cover by greedy choice of bounds.
-    pub(super) fn greedy(
+    /// Makes it the explanation of nothing.
+    pub(super) fn clear(&mut self) {
+        self.chosen.clear();
+        self.complete = true;
+    }
+
+    /// Makes it the same as another, where it lies.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.chosen.clear();
+        // There is room: both have the same capacity.
+        let _ = self.chosen.extend_from_slice(&other.chosen);
+        self.complete = other.complete;
+    }
+
+    /// Makes it a cover by greedy choice of bounds.
+    pub(super) fn choose(
+        &mut self,
         forms: &Forms<'_, R>,
         step: usize,
         taste: Taste,
         slack: f64,
         rng: &mut Generator,
-    ) -> Cover<R> {
-        let mut cover = Cover::default();
-        cover.extend(forms, step, taste, slack, rng);
-        cover
+    ) {
+        self.clear();
+        self.extend(forms, step, taste, slack, rng);
     }
 
-    /// As [`Cover::greedy`], with a constraint of two bounds behind the first `simple`
+    /// As [`Cover::choose`], with a constraint of two bounds behind the first `simple`
     /// ones.
-    pub(super) fn with_clause(
+    #[inline(never)]
+    pub(super) fn choose_with_clause(
+        &mut self,
         forms: &Forms<'_, R>,
         step: usize,
         simple: usize,
         rng: &mut Generator,
-    ) -> Cover<R> {
-        let mut cover = Cover::greedy(forms, step, Taste::SOBER, 0.0, rng);
-        cover.chosen.truncate(simple);
+    ) {
+        self.choose(forms, step, Taste::SOBER, 0.0, rng);
+        self.chosen.truncate(simple);
         let mut left = forms.infeasible(step);
-        remove(&mut left, &cover.excluded(forms, step));
+        remove(&mut left, &self.excluded(forms, step));
         if let Some(clause) = best_clause(forms, &left, step) {
-            let _ = cover.chosen.push(clause);
+            let _ = self.chosen.push(clause);
         }
-        cover.extend(forms, step, Taste::SOBER, 0.0, rng);
-        cover
+        self.extend(forms, step, Taste::SOBER, 0.0, rng);
     }
 
     /// Adds constraints until everything is excluded.
+    #[inline(never)]
     fn extend(
         &mut self,
         forms: &Forms<'_, R>,
@@ -290,23 +308,29 @@ impl<R: Real> Cover<R> {
     /// Brings the bounds up to date and finds out whether it still explains
     /// everything. The outer end of a bound is at the first infeasible sample that
     /// no other constraint excludes.
+    #[inline(never)]
     pub(super) fn measure(&mut self, forms: &Forms<'_, R>, step: usize, slack: f64) {
         for chosen in &mut self.chosen {
             chosen.widen(forms, step);
         }
         let overlap = self.overlap(forms, step);
-        let mut open = members(&overlap.open);
-        self.complete = open.all(|sample| self.nearest(forms, sample).is_some());
-        let mut fitted: Vec<Chosen<R>, MAX_COVER> = Vec::new();
-        for (index, chosen) in self.chosen.iter().enumerate() {
-            let alone = self.alone(forms, step, (index, chosen), &overlap);
-            let fit = chosen.fit(forms, step, &alone, slack);
-            self.complete &= fit.is_some();
-            let mut new = fit.unwrap_or(*chosen);
-            new.support = count(&chosen.excluded(forms, step)) as u32;
-            let _ = fitted.push(new);
+        self.complete = true;
+        // What none excludes belongs to the nearest, found before any bound is moved.
+        let mut nearest: [Set; MAX_COVER] = [[0; MAX_WORDS]; MAX_COVER];
+        for sample in members(&overlap.open) {
+            let index = self.nearest(forms, sample);
+            match index.and_then(|index| nearest.get_mut(index)) {
+                Some(own) => insert(own, sample),
+                None => self.complete = false,
+            }
         }
-        self.chosen = fitted;
+        for (chosen, own) in self.chosen.iter_mut().zip(&mut nearest) {
+            let mut alone = chosen.excluded(forms, step);
+            chosen.support = count(&alone) as u32;
+            remove(&mut alone, &overlap.twice);
+            unite(own, &alone);
+            self.complete &= chosen.fit(forms, step, own, slack);
+        }
         for sample in members(&overlap.twice) {
             self.own(forms, sample);
         }
@@ -345,11 +369,11 @@ impl<R: Real> Cover<R> {
         forms: &Forms<'_, R>,
         step: usize,
         slack: f64,
-        details: impl Fn(&Chosen<R>) -> f64,
+        details: &dyn Fn(&Chosen<R>) -> f64,
     ) {
         for _ in 0..MAX_COVER {
-            let improved = self.improve(forms, step, slack, &details);
-            let shortened = self.shorten(forms, step, slack, &details);
+            let improved = self.improve(forms, step, slack, details);
+            let shortened = self.shorten(forms, step, slack, details);
             if !improved && !shortened {
                 return;
             }
@@ -361,49 +385,14 @@ impl<R: Real> Cover<R> {
         forms: &Forms<'_, R>,
         step: usize,
         slack: f64,
-        details: impl Fn(&Chosen<R>) -> f64,
+        details: &dyn Fn(&Chosen<R>) -> f64,
     ) -> bool {
         let mut improved = false;
         for index in 0..self.chosen.len() {
-            let mut others = self.chosen.clone();
-            let Some(old) = take_out(&mut others, index) else {
-                continue;
-            };
-            let overlap = self.overlap(forms, step);
-            let alone = self.alone(forms, step, (index, &old), &overlap);
-            let needed = (MOST * count(&alone) as f64) as u32;
-            let (mut best, mut least) = (old, old.bits(forms, &others) + details(&old) - SHORTER);
-            forms.for_each_count(step, &alone, |side, count| {
-                let mut new = Chosen::new(Bound::inside(forms, side, step));
-                let shortest = new.bits(forms, &others) - forms.bits_of_threshold();
-                if count < needed || shortest >= least {
-                    return;
-                }
-                new.bound.range = range(forms, &side, step);
-                if let Some(fitted) = new.fit(forms, step, &alone, slack) {
-                    new = fitted;
-                    let mut bits = new.bits(forms, &others);
-                    if bits - forms.bits_of_threshold() < least {
-                        bits += details(&new);
-                        if bits < least {
-                            (best, least) = (new, bits);
-                        }
-                    }
-                }
-            });
-            for_each_neighbour(forms, &old, |sides| {
-                if let Some(new) = between(forms, step, sides, &alone) {
-                    let bits = new.bits(forms, &others) + details(&new);
-                    if bits < least {
-                        (best, least) = (new, bits);
-                    }
-                }
-            });
-            if best != old
-                && let Some(slot) = self.chosen.get_mut(index)
-            {
+            let better = self.better(forms, step, slack, index, details);
+            if let (Some(better), Some(slot)) = (better, self.chosen.get_mut(index)) {
                 improved = true;
-                *slot = best;
+                *slot = better;
             }
         }
         if improved {
@@ -412,22 +401,68 @@ impl<R: Real> Cover<R> {
         improved
     }
 
+    /// The best constraint for the place of one, if that is not the best.
+    #[inline(never)]
+    fn better(
+        &self,
+        forms: &Forms<'_, R>,
+        step: usize,
+        slack: f64,
+        index: usize,
+        details: &dyn Fn(&Chosen<R>) -> f64,
+    ) -> Option<Chosen<R>> {
+        let (before, rest) = self.chosen.split_at_checked(index)?;
+        let (old, behind) = rest.split_first()?;
+        let others = [before, behind];
+        let alone = self.alone(forms, step, (index, old), &self.overlap(forms, step));
+        let needed = (MOST * count(&alone) as f64) as u32;
+        let (mut best, mut least) = (*old, old.bits(forms, others) + details(old) - SHORTER);
+        forms.for_each_count(step, &alone, &mut |side, count| {
+            let mut new = Chosen::new(Bound::inside(forms, side, step));
+            let shortest = new.bits(forms, others) - forms.bits_of_threshold();
+            if count < needed || shortest >= least {
+                return;
+            }
+            new.bound.range = range(forms, &side, step);
+            if new.fit(forms, step, &alone, slack) {
+                let mut bits = new.bits(forms, others);
+                if bits - forms.bits_of_threshold() < least {
+                    bits += details(&new);
+                    if bits < least {
+                        (best, least) = (new, bits);
+                    }
+                }
+            }
+        });
+        for_each_neighbour(forms, old, |sides| {
+            if let Some(new) = between(forms, step, sides, &alone) {
+                let bits = new.bits(forms, others) + details(&new);
+                if bits < least {
+                    (best, least) = (new, bits);
+                }
+            }
+        });
+        (best != *old).then_some(best)
+    }
+
+    #[inline(never)]
     fn shorten(
         &mut self,
         forms: &Forms<'_, R>,
         step: usize,
         slack: f64,
-        details: impl Fn(&Chosen<R>) -> f64,
+        details: &dyn Fn(&Chosen<R>) -> f64,
     ) -> bool {
         let length =
-            |cover: &Self| cover.bits(forms) + cover.chosen.iter().map(&details).sum::<f64>();
+            |cover: &Self| cover.bits(forms) + cover.chosen.iter().map(details).sum::<f64>();
+        let mut other = Cover::default();
         let mut shortened = false;
         for index in (0..self.chosen.len()).rev() {
-            let mut other = self.clone();
+            other.copy_from(self);
             take_out(&mut other.chosen, index);
             other.measure(forms, step, slack);
             if other.complete && length(&other) < length(self) - SHORTER {
-                *self = other;
+                self.copy_from(&other);
                 shortened = true;
             }
         }
@@ -438,7 +473,7 @@ impl<R: Real> Cover<R> {
     pub(super) fn bits(&self, forms: &Forms<'_, R>) -> f64 {
         let lengths = self.chosen.iter().enumerate().map(|(index, chosen)| {
             let before = self.chosen.get(..index).unwrap_or(&[]);
-            chosen.bits(forms, before)
+            chosen.bits(forms, [before, &[]])
         });
         lengths.sum()
     }

@@ -1,7 +1,8 @@
 //! Keeping the explanations up to date, and electing the best.
 
-use super::cover::{Cover, MEMBERS};
+use super::cover::{Chosen, Cover, MEMBERS};
 use super::explain;
+use super::forms::Forms;
 use super::greedy::Taste;
 use super::set::count;
 use super::{CANDIDATES, Certificate, VersionSpace};
@@ -26,13 +27,14 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Replaces the explanations that no longer hold, except for the best ones. These
     /// must agree with every answer: they are there to doubt, and one that could
     /// bend to an answer would ask for it again.
+    #[inline(never)]
     pub(super) fn mend(&mut self) {
         for (step, covers) in self.covers.chunks_mut(MEMBERS).enumerate() {
             for (member, cover) in covers.iter_mut().enumerate().skip(1) {
                 cover.measure(&self.forms, step, 0.0);
                 if !cover.complete {
                     let taste = Taste::of_member(member);
-                    *cover = Cover::greedy(&self.forms, step, taste, 0.0, &mut self.rng);
+                    cover.choose(&self.forms, step, taste, 0.0, &mut self.rng);
                 }
             }
         }
@@ -40,22 +42,23 @@ impl<R: Real> VersionSpace<'_, R> {
 
     /// Brings the best explanation of each step up to date, the shortest of all
     /// that are known. Tells whether one of their bounds moved.
+    #[inline(never)]
     pub(super) fn mend_best(&mut self) -> bool {
         let slack = self.config.slack;
-        let mut moved = false;
+        let (mut before, mut moved) = (Cover::default(), false);
         for (step, covers) in self.covers.chunks_mut(MEMBERS).enumerate() {
             let Some((best, others)) = covers.split_first_mut() else {
                 continue;
             };
-            let before = best.chosen.clone();
+            before.copy_from(best);
             best.measure(&self.forms, step, slack);
             if best.complete {
-                let pairs = best.chosen.iter().zip(&before);
+                let pairs = best.chosen.iter().zip(&before.chosen);
                 moved |= pairs.into_iter().any(|(new, old)| new.is_elsewhere(old));
                 continue;
             }
             (self.elected, moved) = (false, true);
-            *best = Cover::greedy(&self.forms, step, Taste::SOBER, slack, &mut self.rng);
+            best.choose(&self.forms, step, Taste::SOBER, slack, &mut self.rng);
             for other in others {
                 other.measure(&self.forms, step, 0.0);
                 let shorter = other.bits(&self.forms) < best.bits(&self.forms);
@@ -103,52 +106,56 @@ impl<R: Real> VersionSpace<'_, R> {
     }
 
     /// Looks for still better explanations and makes the region of them.
+    #[inline(never)]
     pub(super) fn elect(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
         self.mend();
-        let slack = self.config.slack;
+        self.compete(domain);
+        (self.elected, self.standing) = (true, self.bits());
+        self.electors = self.forms.samples();
+        self.rebuild_region(domain)
+    }
+
+    /// Puts the shortest of several refined explanations in the place of the best of
+    /// each step.
+    #[inline(never)]
+    fn compete(&mut self, domain: &Domain<'_>) {
+        let (forms, slack) = (&self.forms, self.config.slack);
+        let details = |chosen: &_| explain::details(domain, forms, chosen);
+        let mut other = Cover::default();
         for (step, covers) in self.covers.chunks_mut(MEMBERS).enumerate() {
             let Some((best, others)) = covers.split_first_mut() else {
                 continue;
             };
-            let forms = &self.forms;
-            let details = |chosen: &_| explain::details(domain, forms, chosen);
-            let rate = |cover: &mut Cover<R>| {
-                cover.refine(forms, step, slack, details);
-                let details: f64 = cover.chosen.iter().map(details).sum();
-                let bits = cover.bits(forms) + details;
-                (!cover.complete, bits, cover.looseness().to_f64())
-            };
-            let mut standing = rate(best);
+            let mut standing = rate(best, forms, step, slack, &details);
             for member in 0..CANDIDATES + CLAUSES {
                 let (incomplete, bits, _) = standing;
-                let mut other = match (others.get(member), member.checked_sub(CANDIDATES)) {
-                    (Some(known), _) => known.clone(),
+                match (others.get(member), member.checked_sub(CANDIDATES)) {
+                    (Some(known), _) => other.copy_from(known),
                     (None, None) => {
                         let taste = Taste::of_member(member);
-                        Cover::greedy(forms, step, taste, 0.0, &mut self.rng)
+                        other.choose(forms, step, taste, 0.0, &mut self.rng);
                     }
                     (None, Some(simple)) if incomplete || bits > SIMPLE => {
-                        Cover::with_clause(forms, step, simple, &mut self.rng)
+                        other.choose_with_clause(forms, step, simple, &mut self.rng);
                     }
                     _ => break,
-                };
+                }
                 if other.complete {
-                    let rating = rate(&mut other);
+                    let rating = rate(&mut other, forms, step, slack, &details);
                     if rating < standing {
-                        (*best, standing) = (other, rating);
+                        best.copy_from(&other);
+                        standing = rating;
                     }
                 }
             }
         }
-        (self.elected, self.standing) = (true, self.bits());
-        self.electors = self.forms.samples();
-        self.rebuild_region(domain)
     }
 
     /// Writes the region of the best explanations, unless it is there already.
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`]; then there is no region until one finds room.
+    #[inline(never)]
     pub(super) fn rebuild_region(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
         self.written = false;
         let (forms, support) = (&self.forms, &mut self.support);
@@ -158,21 +165,36 @@ impl<R: Real> VersionSpace<'_, R> {
         let mut old = self.region.formula().comparison();
         let mut same = true;
         for (step, cover) in best() {
-            explain::for_each_constraint(domain, forms, cover, step, |nodes, any_of, evidence| {
+            let mut note = |nodes: &[_], any_of: &[_], evidence: &[_]| {
                 same &= old.next_is(nodes, any_of);
                 evidence.iter().try_for_each(|own| support.push(*own))
-            })?;
+            };
+            explain::for_each_constraint(domain, forms, cover, step, &mut note)?;
         }
         if !(same && old.is_at_end()) {
             self.report.certificate = Certificate::default();
             self.region.rewrite(domain, |formula| {
                 best().try_for_each(|(step, cover)| {
-                    let add = |nodes: &[_], any_of: &[_], _: &[_]| formula.and(nodes, any_of);
-                    explain::for_each_constraint(domain, forms, cover, step, add)
+                    let mut add = |nodes: &[_], any_of: &[_], _: &[_]| formula.and(nodes, any_of);
+                    explain::for_each_constraint(domain, forms, cover, step, &mut add)
                 })
             })?;
         }
         self.written = true;
         Ok(())
     }
+}
+
+/// Refines an explanation, and tells how good it is: the least is best.
+fn rate<R: Real>(
+    cover: &mut Cover<R>,
+    forms: &Forms<'_, R>,
+    step: usize,
+    slack: f64,
+    details: &dyn Fn(&Chosen<R>) -> f64,
+) -> (bool, f64, f64) {
+    cover.refine(forms, step, slack, details);
+    let details: f64 = cover.chosen.iter().map(details).sum();
+    let bits = cover.bits(forms) + details;
+    (!cover.complete, bits, cover.looseness().to_f64())
 }

@@ -22,14 +22,17 @@ const PRICE_OF_CORNERS: f64 = 0.56;
 /// Terms of one constraint.
 const TERMS: usize = 40;
 
-/// Calls `visit` with each constraint of an explanation of a step, counted from zero:
-/// with its terms, with its bounds, and with what supports each.
+/// Takes a constraint: its terms, its bounds, and what supports each.
+pub(super) type Visit<'v> =
+    &'v mut dyn FnMut(&[Node], &[Inequality], &[Evidence]) -> Result<(), Error>;
+
+/// Calls `visit` with each constraint of an explanation of a step, counted from zero.
 pub(super) fn for_each_constraint<R: Real>(
     domain: &Domain<'_>,
     forms: &Forms<'_, R>,
     cover: &Cover<R>,
     step: usize,
-    mut visit: impl FnMut(&[Node], &[Inequality], &[Evidence]) -> Result<(), Error>,
+    visit: Visit<'_>,
 ) -> Result<(), Error> {
     for chosen in &cover.chosen {
         let mut nodes: Vec<Node, TERMS> = Vec::new();
@@ -50,6 +53,7 @@ pub(super) fn for_each_constraint<R: Real>(
     Ok(())
 }
 
+#[inline(never)]
 fn inequality<R: Real>(
     domain: &Domain<'_>,
     forms: &Forms<'_, R>,

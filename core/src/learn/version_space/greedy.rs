@@ -52,7 +52,7 @@ pub(super) fn best_side<R: Real>(
 ) -> Option<Side> {
     let mut best: Option<Side> = None;
     let (mut most, mut closest) = (0.0, R::INFINITY);
-    forms.for_each_count(step, left, |side, count| {
+    forms.for_each_count(step, left, &mut |side, count| {
         let mut score = f64::from(count) * (1.0 - taste.reduction(side.level));
         if taste.whim > 0.0 {
             score *= 1.0 + taste.whim * scatter(salt, &side);

@@ -6,7 +6,7 @@
 //! they disagree.
 
 use super::VersionSpace;
-use super::forms::Lefts;
+use super::forms::MAX_LEFTS;
 use super::set::{is_empty, members, remove};
 use crate::error::Error;
 use crate::learn::{Problem, Query};
@@ -35,7 +35,8 @@ impl<R: Real> VersionSpace<'_, R> {
             return Err(Error::OutOfSequence("ask for a sample first"));
         }
         problem.check_begun(self.problem)?;
-        let lefts = self.forms.evaluate_query(problem, query)?;
+        let mut lefts = [R::ZERO; MAX_LEFTS];
+        self.forms.evaluate_query(problem, query, &mut lefts)?;
         let mut all = Membership::Feasible;
         for step in 0..self.capacity.steps {
             match self.membership_of_step(query.instance, &lefts, step) {
@@ -47,7 +48,7 @@ impl<R: Real> VersionSpace<'_, R> {
         Ok(all)
     }
 
-    fn membership_of_step(&self, instance: usize, lefts: &Lefts<R>, step: usize) -> Membership {
+    fn membership_of_step(&self, instance: usize, lefts: &[R], step: usize) -> Membership {
         let forms = &self.forms;
         let infeasible = forms.infeasible(step);
         // What is excluded by some form, now and after taking the sample in.

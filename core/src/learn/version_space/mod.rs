@@ -86,7 +86,6 @@ use super::problem::Problem;
 use super::{Answer, Learner, Query};
 use crate::domain::{CHECKSUM, Domain};
 use crate::error::Error;
-use crate::grammar::Features;
 use crate::random::{Generator, generator};
 use crate::real::Real;
 use crate::region::Region;
@@ -94,8 +93,6 @@ use crate::table::Table;
 use cover::MEMBERS;
 use forms::{Forms, Storage};
 
-/// The most complex features that forms are made of.
-const COMPLEXITY: usize = 2;
 /// By how much more likely an answer must be than its opposite.
 const BEYOND_DOUBT: f64 = 10_000.0;
 /// Explanations that compete to be the final one.
@@ -119,6 +116,8 @@ pub struct VersionSpace<'m, R> {
     config: Config,
     capacity: Capacity,
     forms: Forms<'m, R>,
+    /// Room for the left sides at a sample.
+    lefts: &'m mut [R],
     /// Explanations, the best of each step first.
     covers: &'m mut [Cover<R>],
     observations: Table<'m, Observation>,
@@ -159,6 +158,18 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         capacity: Capacity,
         memory: Memory<'m, R>,
     ) -> Result<Self, Error> {
+        let mut learner = VersionSpace::blank(config, capacity, memory)?;
+        learner.settle(domain)?;
+        Ok(learner)
+    }
+
+    /// As [`VersionSpace::new`], without a domain: to be completed by
+    /// [`VersionSpace::settle`] where it will stay. On a small machine, less is on the
+    /// stack at a time.
+    ///
+    /// # Errors
+    /// Those of [`VersionSpace::new`].
+    pub fn blank(config: Config, capacity: Capacity, memory: Memory<'m, R>) -> Result<Self, Error> {
         config.check()?;
         capacity.check()?;
         let Memory {
@@ -168,6 +179,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             spans,
             bits,
             rows,
+            lefts,
             sets,
             covers,
             samples,
@@ -175,12 +187,10 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             support,
             region,
         } = memory;
-        let features = cut(features, capacity.features())?;
-        region.clear(domain);
         let covers = cut(covers, capacity.covers())?;
-        covers.fill(Cover::default());
+        covers.iter_mut().for_each(Cover::clear);
         let forms = Forms::new(Storage {
-            features: Features::enumerate_up_to(domain, COMPLEXITY, features, &mut [])?,
+            features: cut(features, capacity.features())?,
             columns: cut(columns, capacity.features())?,
             instances: cut(instances, capacity.instance_values())?,
             spans: cut(spans, capacity.spans())?,
@@ -200,6 +210,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             config,
             capacity,
             forms,
+            lefts: cut(lefts, capacity.lefts())?,
             covers,
             pending: None,
             problem: None,
@@ -214,6 +225,15 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             support: Table::new(cut(support, capacity.support())?, "constraints of a region"),
             report: Report::default(),
         })
+    }
+
+    /// Makes a learner from [`VersionSpace::blank`] one about the parameters of `domain`.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if there is no room for any feature.
+    pub fn settle(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
+        self.region.clear(domain);
+        self.forms.enumerate(domain)
     }
 
     /// The configuration it was made with.
@@ -250,22 +270,23 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             && self.is_significant()
     }
 
+    /// Gets to know the instances, at the first question.
+    #[inline(never)]
+    fn begin(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
+        self.forms.settle(problem)?;
+        self.report.forms = self.forms.len();
+        self.report.forms_left_out = self.forms.left_out();
+        self.problem = Some(problem.fingerprint());
+        let count = u32::try_from(problem.count()).unwrap_or(u32::MAX);
+        self.unasked = problem.domain().parameters().is_empty().then_some(count);
+        Ok(())
+    }
+
     /// Takes a sample whose answer is beyond doubt.
     fn learn(&mut self, problem: &Problem<'_>, pending: &Pending) -> Result<(), Error> {
-        let query = &pending.query;
-        let lefts = self.forms.evaluate_query(problem, query)?;
         let feasible = pending.lead > 0;
-        let failed = if feasible {
-            self.report.feasible += 1;
-            self.capacity.steps
-        } else {
-            self.report.infeasible += 1;
-            pending.failed_step.saturating_sub(1) as usize
-        };
-        let worked = failed;
-        let failed = (!feasible).then_some(failed);
-        self.forms.add(query.instance, &lefts, worked, failed)?;
-        self.note_influence(query, feasible);
+        self.take_in(problem, pending)?;
+        self.note_influence(&pending.query, feasible);
         let moved = self.mend_best();
         let Certificate {
             mut draws,
@@ -288,6 +309,22 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             (false, _) => self.rebuild_region(problem.domain())?,
         }
         Ok(())
+    }
+
+    /// Tells the forms of a sample.
+    #[inline(never)]
+    fn take_in(&mut self, problem: &Problem<'_>, pending: &Pending) -> Result<(), Error> {
+        let Query { instance, .. } = pending.query;
+        self.forms
+            .evaluate_query(problem, &pending.query, self.lefts)?;
+        if pending.lead > 0 {
+            self.report.feasible += 1;
+            let steps = self.capacity.steps;
+            return self.forms.add(instance, self.lefts, steps, None);
+        }
+        self.report.infeasible += 1;
+        let failed = pending.failed_step.saturating_sub(1) as usize;
+        self.forms.add(instance, self.lefts, failed, Some(failed))
     }
 
     fn note_influence(&mut self, query: &Query, feasible: bool) {
@@ -334,20 +371,14 @@ fn needed_lead(noise: f64) -> i32 {
 impl<R: Real> Learner for VersionSpace<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
         if self.problem.is_none() {
-            self.forms.settle(problem)?;
-            self.report.forms = self.forms.len();
-            self.report.forms_left_out = self.forms.left_out();
-            self.problem = Some(problem.fingerprint());
-            let count = u32::try_from(problem.count()).unwrap_or(u32::MAX);
-            self.unasked = problem.domain().parameters().is_empty().then_some(count);
+            self.begin(problem)?;
         }
         problem.check_begun(self.problem)?;
-        let pending = match self.pending {
-            Some(pending) => pending,
-            None => self.next_query(problem)?,
-        };
-        self.pending = Some(pending);
-        Ok(pending.query)
+        if self.pending.is_none() {
+            self.next_query(problem)?;
+        }
+        let pending = self.pending.as_ref().map(|pending| pending.query);
+        pending.ok_or(Error::OutOfSequence("there is nothing to ask"))
     }
 
     fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error> {

@@ -8,11 +8,13 @@
 //! the instances by chance does not survive that.
 //!
 //! A scene is large. What makes one is never inlined, so that one at a time is on the
-//! stack.
+//! stack, nor what is done beside it; the values of the left sides are in lent memory.
+//! A query is written where it will be asked from, and a function tells whether it found
+//! one: a way of eight returned queries would take as much stack as a scene.
 
 use super::bound::Bound;
 use super::cover::{Chosen, Cover, MEMBERS};
-use super::forms::{Forms, Lefts};
+use super::forms::Forms;
 use crate::domain::{MAX_PARAMETERS, PointSet, Scene};
 use crate::error::Error;
 use crate::learn::{Observation, Problem, Query};
@@ -55,6 +57,7 @@ pub(super) fn anywhere(problem: &Problem<'_>, rng: &mut Generator) -> Query {
 /// Uniform in the parameter space. Where something is proposed, every other time close
 /// to that, at any scale: a region that is a hundredth of the space is found there. What
 /// is proposed may lie beyond the space, if only by rounding; what is asked never does.
+#[inline(never)]
 fn any_theta(problem: &Problem<'_>, instance: usize, rng: &mut Generator) -> Theta {
     let mut theta = [0.0; MAX_PARAMETERS];
     for (value, p) in theta.iter_mut().zip(problem.domain().parameters()) {
@@ -88,27 +91,25 @@ fn between(a: &Theta, b: &Theta, share: f64) -> Theta {
     theta
 }
 
+/// Whether a constraint admits a sample, at which its forms have these values, for all
+/// thresholds between its ends.
+fn admits<R: Real>(chosen: &Chosen<R>, value: impl Fn(&Bound<R>) -> R) -> bool {
+    chosen.bounds().any(|bound| value(bound) <= bound.inner)
+}
+
 impl<R: Real> Choice<'_, '_, R> {
     /// The best candidate, if there is a reason to ask one.
+    #[inline(never)]
     pub(super) fn best(
         &self,
         problem: &Problem<'_>,
+        lefts: &mut [R],
         rng: &mut Generator,
-    ) -> Result<Option<Query>, Error> {
-        let split = self.most_divided(problem, rng)?;
-        if split.is_some() {
-            return Ok(split);
-        }
-        if let Some((share, chosen, bound)) = self.widest_gap()
-            && share > NARROW
-        {
-            let middle = bound.inner + (bound.outer - bound.inner) * R::from_f64(0.5);
-            let query = self.at_value(problem, (chosen, bound), middle, |_| false, rng)?;
-            if query.is_some() {
-                return Ok(query);
-            }
-        }
-        self.test(problem, rng)
+        query: &mut Query,
+    ) -> Result<bool, Error> {
+        Ok(self.most_divided(problem, lefts, rng, query)?
+            || self.halve(problem, rng, query)?
+            || self.test(problem, rng, query)?)
     }
 
     /// The candidate that splits the votes most evenly, of those that are not settled.
@@ -116,10 +117,12 @@ impl<R: Real> Choice<'_, '_, R> {
     fn most_divided(
         &self,
         problem: &Problem<'_>,
+        lefts: &mut [R],
         rng: &mut Generator,
-    ) -> Result<Option<Query>, Error> {
+        query: &mut Query,
+    ) -> Result<bool, Error> {
         let points = PointSet::all(problem.domain());
-        let mut split: Option<(usize, Query)> = None;
+        let mut most = 0;
         for _ in 0..GROUPS {
             let instance = below(rng, problem.count());
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
@@ -130,17 +133,32 @@ impl<R: Real> Choice<'_, '_, R> {
                 } else {
                     self.between_samples(problem, instance, rng)
                 };
-                let lefts = self.forms.evaluate(&scene, &theta);
-                let query = Query { instance, theta };
-                let (votes, against) = self.votes(instance, &lefts);
-                let evenness = votes * against;
-                let better = evenness > split.map_or(0, |(most, _)| most);
-                if better && !self.is_settled(instance, &lefts) {
-                    split = Some((evenness, query));
+                self.forms.evaluate(&scene, &theta, lefts);
+                let (votes, against) = self.votes(instance, lefts);
+                if votes * against > most && !self.is_settled(instance, lefts) {
+                    most = votes * against;
+                    *query = Query { instance, theta };
                 }
             }
         }
-        Ok(split.map(|(_, query)| query))
+        Ok(most > 0)
+    }
+
+    /// A sample in the middle of the widest gap, if one is wide.
+    #[inline(never)]
+    fn halve(
+        &self,
+        problem: &Problem<'_>,
+        rng: &mut Generator,
+        query: &mut Query,
+    ) -> Result<bool, Error> {
+        match self.widest_gap() {
+            Some((share, chosen, bound)) if share > NARROW => {
+                let middle = bound.inner + (bound.outer - bound.inner) * R::from_f64(0.5);
+                self.at_value(problem, (chosen, bound), middle, &|_| false, rng, query)
+            }
+            _ => Ok(false),
+        }
     }
 
     /// Some instance that was not asked about.
@@ -165,32 +183,36 @@ impl<R: Real> Choice<'_, '_, R> {
 
     /// Of the instances that were not asked about, the one that splits the votes most
     /// evenly, then one between the ends of most bounds.
+    #[inline(never)]
     pub(super) fn best_unasked(
         &self,
         problem: &Problem<'_>,
+        lefts: &mut [R],
         rng: &mut Generator,
-    ) -> Result<Option<Query>, Error> {
+        query: &mut Query,
+    ) -> Result<bool, Error> {
         let theta = [0.0; MAX_PARAMETERS];
-        let mut best: Option<((usize, usize), Query)> = None;
+        let mut best: Option<(usize, usize)> = None;
         for instance in self.all_unasked(problem, rng) {
-            let query = Query { instance, theta };
-            let lefts = self.forms.evaluate_query(problem, &query)?;
-            let (votes, against) = self.votes(instance, &lefts);
+            let own = Query { instance, theta };
+            self.forms.evaluate_query(problem, &own, lefts)?;
+            let (votes, against) = self.votes(instance, lefts);
             let open = self.best_bounds().filter(|(_, bound)| {
-                let value = self.forms.value(&bound.side, instance, &lefts);
+                let value = self.forms.value(&bound.side, instance, lefts);
                 bound.inner < value && value < bound.outer
             });
             let score = (votes * against, open.count());
-            if best.as_ref().is_none_or(|(most, _)| score > *most) {
-                best = Some((score, query));
+            if best.is_none_or(|most| score > most) {
+                (best, *query) = (Some(score), own);
             }
         }
-        Ok(best.map(|(_, query)| query))
+        Ok(best.is_some())
     }
 
     /// Whether a sample lies where a bound of the best explanation is known as well
     /// as needed. Others put it slightly elsewhere; that is not worth a question.
-    fn is_settled(&self, instance: usize, lefts: &Lefts<R>) -> bool {
+    #[inline(never)]
+    fn is_settled(&self, instance: usize, lefts: &[R]) -> bool {
         self.best_bounds().any(|(_, bound)| {
             let margin = bound.range * R::from_f64(NARROW);
             let value = self.forms.value(&bound.side, instance, lefts);
@@ -224,10 +246,16 @@ impl<R: Real> Choice<'_, '_, R> {
 
     /// A sample just inside or just outside of one constraint, where none of the
     /// instance is yet.
-    fn test(&self, problem: &Problem<'_>, rng: &mut Generator) -> Result<Option<Query>, Error> {
+    #[inline(never)]
+    fn test(
+        &self,
+        problem: &Problem<'_>,
+        rng: &mut Generator,
+        query: &mut Query,
+    ) -> Result<bool, Error> {
         let count = self.best_bounds().count();
         let Some((chosen, bound)) = self.best_bounds().nth(below(rng, count)) else {
-            return Ok(None);
+            return Ok(false);
         };
         let margin = bound.range * R::from_f64(NARROW);
         let off = margin * R::from_f64(0.5 * uniform(rng));
@@ -247,61 +275,76 @@ impl<R: Real> Choice<'_, '_, R> {
             };
             (0..self.forms.samples()).any(|sample| near(&sample))
         };
-        self.at_value(problem, (chosen, bound), value, tested, rng)
+        self.at_value(problem, (chosen, bound), value, &tested, rng, query)
     }
 
     /// What nobody suspects is found far from all samples. Every other time only
     /// candidates count that the best explanation admits, because a gap in it does most
     /// harm, or that one of several constraints refuses, because there a second piece
     /// of a union would be.
+    #[inline(never)]
     pub(super) fn farthest(
         &self,
         problem: &Problem<'_>,
+        lefts: &mut [R],
         rng: &mut Generator,
-    ) -> Result<Option<Query>, Error> {
-        if rng.next_u32() & 1 == 0 {
-            return self.farthest_refused_by(problem, |_| true, rng);
-        }
-        let several = self.best_chosen().nth(1).is_some();
-        let wanted = usize::from(several && rng.next_u32() & 1 == 0);
-        self.farthest_refused_by(problem, |refused| refused == wanted, rng)
+        query: &mut Query,
+    ) -> Result<bool, Error> {
+        let mut odd = || rng.next_u32() & 1 == 1;
+        let wanted = if !odd() {
+            None
+        } else if self.best_chosen().nth(1).is_some() && !odd() {
+            Some(1)
+        } else {
+            Some(0)
+        };
+        self.farthest_refused_by(problem, wanted, lefts, rng, query)
     }
 
     /// Of some candidates that are refused by so many constraints of the best
-    /// explanation, the one farthest from all samples of its instance.
+    /// explanation, or by any number, the one farthest from all samples of its instance.
     #[inline(never)]
     fn farthest_refused_by(
         &self,
         problem: &Problem<'_>,
-        counts: impl Fn(usize) -> bool,
+        wanted: Option<usize>,
+        lefts: &mut [R],
         rng: &mut Generator,
-    ) -> Result<Option<Query>, Error> {
+        query: &mut Query,
+    ) -> Result<bool, Error> {
         let points = PointSet::all(problem.domain());
-        let mut best: Option<(f64, Query)> = None;
+        let mut most: Option<f64> = None;
         for _ in 0..GROUPS {
             let instance = below(rng, problem.count());
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
             scene.settle()?;
             for _ in 0..EACH {
                 let theta = any_theta(problem, instance, rng);
-                let lefts = self.forms.evaluate(&scene, &theta);
-                let refusing = self.best_chosen();
-                let refusing = refusing.filter(|c| !self.admits(c, instance, &lefts));
-                if !counts(refusing.count()) {
+                self.forms.evaluate(&scene, &theta, lefts);
+                if wanted.is_some_and(|wanted| self.refusing(instance, lefts) != wanted) {
                     continue;
                 }
-                let query = Query { instance, theta };
-                let distance = self.distance(problem, &query);
-                if best.is_none_or(|(most, _)| distance > most) {
-                    best = Some((distance, query));
+                let own = Query { instance, theta };
+                let distance = self.distance(problem, &own);
+                if most.is_none_or(|most| distance > most) {
+                    (most, *query) = (Some(distance), own);
                 }
             }
         }
-        Ok(best.map(|(_, query)| query))
+        Ok(most.is_some())
+    }
+
+    /// How many constraints of the best explanation refuse a sample.
+    #[inline(never)]
+    fn refusing(&self, instance: usize, lefts: &[R]) -> usize {
+        let value = |bound: &Bound<R>| self.forms.value(&bound.side, instance, lefts);
+        let refusing = self.best_chosen().filter(|c| !admits(c, value));
+        refusing.count()
     }
 
     /// The squared distance to the nearest sample of the instance, in units of the
     /// ranges of the parameters.
+    #[inline(never)]
     fn distance(&self, problem: &Problem<'_>, query: &Query) -> f64 {
         let own = self.observations.iter();
         let own = own.filter(|o| o.instance as usize == query.instance);
@@ -320,12 +363,6 @@ impl<R: Real> Choice<'_, '_, R> {
         apart.fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether a constraint admits a sample for all thresholds between its ends.
-    fn admits(&self, chosen: &Chosen<R>, instance: usize, lefts: &Lefts<R>) -> bool {
-        let value = |bound: &Bound<R>| self.forms.value(&bound.side, instance, lefts);
-        chosen.bounds().any(|bound| value(bound) <= bound.inner)
-    }
-
     /// A sample in some instance at which the form of a bound has a certain value,
     /// and for which nothing else decides.
     #[inline(never)]
@@ -334,9 +371,10 @@ impl<R: Real> Choice<'_, '_, R> {
         problem: &Problem<'_>,
         (chosen, bound): (&Chosen<R>, &Bound<R>),
         value: R,
-        skip: impl Fn(usize) -> bool,
+        skip: &dyn Fn(usize) -> bool,
         rng: &mut Generator,
-    ) -> Result<Option<Query>, Error> {
+        query: &mut Query,
+    ) -> Result<bool, Error> {
         let points = PointSet::all(problem.domain());
         for _ in 0..TRIES {
             let instance = below(rng, problem.count());
@@ -345,14 +383,10 @@ impl<R: Real> Choice<'_, '_, R> {
             }
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
             scene.settle()?;
-            let beyond = |theta: &Theta| {
-                let lefts = self.forms.evaluate(&scene, theta);
-                self.forms.value(&bound.side, instance, &lefts) > value
-            };
-            let (mut inside, mut outside) = (
-                any_theta(problem, instance, rng),
-                any_theta(problem, instance, rng),
-            );
+            let beyond =
+                |theta: &Theta| self.forms.value_in(&scene, theta, &bound.side, instance) > value;
+            let mut inside = any_theta(problem, instance, rng);
+            let mut outside = any_theta(problem, instance, rng);
             match (beyond(&inside), beyond(&outside)) {
                 (true, false) => core::mem::swap(&mut inside, &mut outside),
                 (false, true) => {}
@@ -360,27 +394,38 @@ impl<R: Real> Choice<'_, '_, R> {
             }
             for _ in 0..HALVINGS {
                 let middle = between(&inside, &outside, 0.5);
-                if beyond(&middle) {
-                    outside = middle;
+                let end = if beyond(&middle) {
+                    &mut outside
                 } else {
-                    inside = middle;
-                }
+                    &mut inside
+                };
+                *end = middle;
             }
-            let lefts = self.forms.evaluate(&scene, &inside);
-            let value = |other: &Bound<R>| self.forms.value(&other.side, instance, &lefts);
-            let mut rivals = chosen.bounds().filter(|other| *other != bound);
-            let mut others = self.best_chosen().filter(|other| *other != chosen);
-            if rivals.all(|other| value(other) >= other.outer)
-                && others.all(|other| self.admits(other, instance, &lefts))
-            {
-                let theta = inside;
-                return Ok(Some(Query { instance, theta }));
+            let theta = inside;
+            let value =
+                |other: &Bound<R>| self.forms.value_in(&scene, &theta, &other.side, instance);
+            if self.decides((chosen, bound), &value) {
+                *query = Query { instance, theta };
+                return Ok(true);
             }
         }
-        Ok(None)
+        Ok(false)
+    }
+
+    /// Whether a bound alone decides about a sample, at which forms have these values.
+    #[inline(never)]
+    fn decides(
+        &self,
+        (chosen, bound): (&Chosen<R>, &Bound<R>),
+        value: &dyn Fn(&Bound<R>) -> R,
+    ) -> bool {
+        let mut rivals = chosen.bounds().filter(|other| *other != bound);
+        let mut others = self.best_chosen().filter(|other| *other != chosen);
+        rivals.all(|other| value(other) >= other.outer) && others.all(|other| admits(other, value))
     }
 
     /// On the way between a feasible and an infeasible sample of the instance.
+    #[inline(never)]
     fn between_samples(
         &self,
         problem: &Problem<'_>,
@@ -407,7 +452,8 @@ impl<R: Real> Choice<'_, '_, R> {
 
     /// How many members of the committee expect the sample to work, and how many do
     /// not. The best explanations vote only if they agree with every answer.
-    fn votes(&self, instance: usize, lefts: &Lefts<R>) -> (usize, usize) {
+    #[inline(never)]
+    fn votes(&self, instance: usize, lefts: &[R]) -> (usize, usize) {
         let half = R::from_f64(0.5);
         let agrees = |cover: &Cover<R>| {
             let value = |bound: &Bound<R>| self.forms.value(&bound.side, instance, lefts);

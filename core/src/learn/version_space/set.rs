@@ -22,6 +22,12 @@ pub(super) fn intersect(set: &mut Set, with: &Set) {
     }
 }
 
+pub(super) fn unite(set: &mut Set, with: &Set) {
+    for (word, other) in set.iter_mut().zip(with) {
+        *word |= other;
+    }
+}
+
 pub(super) fn insert(set: &mut Set, sample: usize) {
     if let Some(word) = set.get_mut(sample / 64) {
         *word |= 1 << (sample % 64);

@@ -8,13 +8,27 @@ use core::ops::Range;
 /// Neighbours in a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Block {
-    pub(super) start: usize,
-    pub(super) len: usize,
+    start: u16,
+    len: u16,
 }
 
 impl Block {
+    /// From one place in a table to another, neither of which is beyond 65 535.
+    pub(super) fn between(start: usize, end: usize) -> Block {
+        let small = |n| u16::try_from(n).unwrap_or(u16::MAX);
+        Block {
+            start: small(start),
+            len: small(end.saturating_sub(start)),
+        }
+    }
+
+    pub(super) fn len(self) -> usize {
+        usize::from(self.len)
+    }
+
     pub(super) fn range(self) -> Range<usize> {
-        self.start..self.start + self.len
+        let start = usize::from(self.start);
+        start..start + self.len()
     }
 }
 
@@ -82,52 +96,84 @@ impl Side {
 pub(super) struct Layout {
     pub(super) lefts: [[Block; 2]; DIMENSIONS],
     /// Left sides that found no room.
-    pub(super) lefts_left_out: [usize; DIMENSIONS],
+    pub(super) lefts_left_out: [u32; DIMENSIONS],
     pub(super) columns: [[Block; DIMENSIONS]; LEVELS],
     pub(super) capacity: usize,
 }
 
 impl Layout {
-    pub(super) fn runs(&self) -> impl Iterator<Item = Run> + use<> {
-        let Layout {
-            lefts,
-            columns,
-            capacity,
-            ..
-        } = *self;
-        let blocks = columns
-            .into_iter()
-            .enumerate()
-            .flat_map(move |(level, own)| {
-                own.into_iter().zip(lefts).flat_map(move |(block, lefts)| {
-                    let lefts = lefts.into_iter().flat_map(Block::range);
-                    lefts.map(move |left| (level, left, block))
-                })
-            });
-        let mut used = 0;
-        blocks.filter_map(move |(level, left, block)| {
-            let len = block.len.min(capacity - used);
-            let start = used;
-            used += len;
-            (len > 0).then(|| Run {
-                level,
-                left,
-                columns: block.start..block.start + len,
-                forms: start..start + len,
-            })
-        })
+    pub(super) fn runs(&self) -> Runs<'_> {
+        Runs {
+            layout: self,
+            level: 0,
+            dimension: 0,
+            block: 0,
+            left: 0,
+            used: 0,
+        }
     }
 
     pub(super) fn has_left(&self, dimension: Dimension) -> bool {
         let own = self.lefts.get(dimension as usize);
-        own.is_some_and(|blocks| blocks.iter().any(|b| b.len > 0))
+        own.is_some_and(|blocks| blocks.iter().any(|b| b.len() > 0))
     }
 
     pub(super) fn wanted(&self) -> usize {
         let lefts = self.lefts.iter().zip(self.lefts_left_out);
-        let lefts = lefts.map(|([a, b], left_out)| a.len + b.len + left_out);
+        let lefts = lefts.map(|([a, b], left_out)| a.len() + b.len() + left_out as usize);
         let columns = self.columns.iter();
         let all = columns.flat_map(|own| own.iter().zip(lefts.clone()));
-        all.map(|(block, lefts)| block.len * lefts).sum()
+        all.map(|(block, lefts)| block.len() * lefts).sum()
+    }
+}
+
+/// The runs of a layout in the order of their forms. Nested iterators over copies of the
+/// blocks would say the same with ten times the stack.
+#[derive(Clone, Debug)]
+pub(super) struct Runs<'l> {
+    layout: &'l Layout,
+    /// Where the next run is: its level, its dimension, and its left side as the block
+    /// and the place in it.
+    level: usize,
+    dimension: usize,
+    block: usize,
+    left: usize,
+    /// Forms before it.
+    used: usize,
+}
+
+impl Iterator for Runs<'_> {
+    type Item = Run;
+
+    fn next(&mut self) -> Option<Run> {
+        loop {
+            let own = self.layout.columns.get(self.level)?;
+            let Some(columns) = own.get(self.dimension) else {
+                (self.level, self.dimension) = (self.level + 1, 0);
+                continue;
+            };
+            let lefts = self.layout.lefts.get(self.dimension);
+            let Some(lefts) = lefts.and_then(|blocks| blocks.get(self.block)) else {
+                (self.dimension, self.block) = (self.dimension + 1, 0);
+                continue;
+            };
+            let Some(left) = lefts.range().nth(self.left) else {
+                (self.block, self.left) = (self.block + 1, 0);
+                continue;
+            };
+            self.left += 1;
+            let start = self.used;
+            let len = columns.len().min(self.layout.capacity - start);
+            self.used += len;
+            if len > 0 {
+                let first = columns.range().start;
+                return Some(Run {
+                    level: self.level,
+                    left,
+                    columns: first..first + len,
+                    forms: start..start + len,
+                });
+            }
+        }
     }
 }

@@ -19,7 +19,7 @@ pub use known::Span;
 pub(in crate::learn::version_space) use layout::Side;
 
 use crate::domain::{
-    Dependence, Dimension, MAX_PARAMETERS, Node, NodeId, PointSet, Sample as Point, Scene,
+    Dependence, Dimension, Domain, MAX_PARAMETERS, Node, NodeId, PointSet, Sample as Point, Scene,
 };
 use crate::error::Error;
 use crate::grammar::{FACTORS, Features, feature_id};
@@ -42,6 +42,8 @@ pub(in crate::learn::version_space) const MAX_WORDS: usize =
 /// distances and angles, scaled ones.
 pub(in crate::learn::version_space) const LEVELS: usize = 4;
 const DIMENSIONS: usize = Dimension::ALL.len();
+/// The most complex features that forms are made of.
+const COMPLEXITY: usize = 2;
 /// What it takes to say that a form is one named before, in bits.
 const AGAIN: f64 = 3.0;
 /// The column of "nothing".
@@ -49,9 +51,6 @@ const NOTHING: u16 = u16::MAX;
 
 /// A set of samples, a bit each.
 pub(in crate::learn::version_space) type Set = [u64; MAX_WORDS];
-
-/// The left sides at a sample; those behind the last are zero.
-pub(in crate::learn::version_space) type Lefts<R> = [R; MAX_LEFTS];
 
 /// How much two equal values may differ by rounding.
 #[inline(always)]
@@ -74,6 +73,8 @@ pub(in crate::learn::version_space) struct Forms<'m, R> {
     used: usize,
     /// Of how many forms, the first ones, `spans` and `bits` tell.
     tracked: usize,
+    /// Room for left sides, and how many there are.
+    left_room: usize,
     left_count: usize,
     columns: Table<'m, u16>,
     /// Right sides, one row per instance.
@@ -92,7 +93,7 @@ pub(in crate::learn::version_space) struct Forms<'m, R> {
 
 /// Tables that forms live in.
 pub(in crate::learn::version_space) struct Storage<'m, R> {
-    pub(in crate::learn::version_space) features: Features<'m, R>,
+    pub(in crate::learn::version_space) features: &'m mut [Node],
     pub(in crate::learn::version_space) columns: &'m mut [u16],
     pub(in crate::learn::version_space) instances: &'m mut [R],
     pub(in crate::learn::version_space) spans: &'m mut [Span<R>],
@@ -106,35 +107,21 @@ pub(in crate::learn::version_space) struct Storage<'m, R> {
 }
 
 impl<'m, R: Real> Forms<'m, R> {
+    /// Forms of no domain yet, for [`Forms::enumerate`].
     pub(in crate::learn::version_space) fn new(storage: Storage<'m, R>) -> Self {
         storage.spans.fill(Span::default());
         storage.sets.fill(0);
-        let mut layout = Layout {
-            capacity: storage.forms,
-            ..Layout::default()
-        };
-        let mut left_count = 0;
-        for (blocks, dimension) in layout.lefts.iter_mut().zip(Dimension::ALL) {
-            for (block, complexity) in blocks.iter_mut().zip(1..) {
-                let range = storage.features.lefts(complexity, dimension);
-                // Left sides are the first features behind the factors.
-                let start = range.start.saturating_sub(FACTORS.len());
-                let len = range.len().min(storage.lefts.saturating_sub(start));
-                *block = Block { start, len };
-                left_count += len;
-                let all = storage.features.enumerated_lefts(complexity, dimension);
-                if let Some(lost) = layout.lefts_left_out.get_mut(dimension as usize) {
-                    *lost += usize::try_from(all).unwrap_or(usize::MAX) - len;
-                }
-            }
-        }
         Forms {
             width: storage.columns.len(),
-            features: storage.features,
-            layout,
+            features: Features::empty(storage.features, &mut []),
+            layout: Layout {
+                capacity: storage.forms,
+                ..Layout::default()
+            },
             used: 0,
             tracked: storage.tracked,
-            left_count,
+            left_room: storage.lefts,
+            left_count: 0,
             columns: Table::new(storage.columns, "right sides of forms"),
             instances: storage.instances,
             spans: storage.spans,
@@ -144,6 +131,32 @@ impl<'m, R: Real> Forms<'m, R> {
             sets: storage.sets,
             bits_of_level: [0.0; LEVELS],
         }
+    }
+
+    /// Finds the features of a domain, and the left sides among them.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if there is no room for any.
+    pub(in crate::learn::version_space) fn enumerate(
+        &mut self,
+        domain: &Domain<'_>,
+    ) -> Result<(), Error> {
+        self.features.fill(domain, COMPLEXITY)?;
+        for (blocks, dimension) in self.layout.lefts.iter_mut().zip(Dimension::ALL) {
+            for (block, complexity) in blocks.iter_mut().zip(1..) {
+                let range = self.features.lefts(complexity, dimension);
+                // Left sides are the first features behind the factors.
+                let start = range.start.saturating_sub(FACTORS.len());
+                let len = range.len().min(self.left_room.saturating_sub(start));
+                *block = Block::between(start, start + len);
+                self.left_count += len;
+                let all = self.features.enumerated_lefts(complexity, dimension);
+                if let Some(lost) = self.layout.lefts_left_out.get_mut(dimension as usize) {
+                    *lost += u32::try_from(all).unwrap_or(u32::MAX) - len as u32;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Evaluates the right sides in all instances and lays out the forms.
@@ -160,7 +173,7 @@ impl<'m, R: Real> Forms<'m, R> {
             return Err(Error::CapacityExceeded("problem instances"));
         }
         self.columns.clear();
-        self.fill_rows(problem, |values, row| {
+        self.fill_rows(problem, &mut |values, row| {
             for (slot, value) in row.iter_mut().zip(values) {
                 *slot = *value;
             }
@@ -169,15 +182,14 @@ impl<'m, R: Real> Forms<'m, R> {
             for dimension in Dimension::ALL {
                 let start = self.columns.len();
                 self.add_columns(problem, level, dimension)?;
-                let len = self.columns.len() - start;
                 let own = self.layout.columns.get_mut(level);
                 if let Some(slot) = own.and_then(|own| own.get_mut(dimension as usize)) {
-                    *slot = Block { start, len };
+                    *slot = Block::between(start, self.columns.len());
                 }
             }
         }
         let columns = core::mem::replace(&mut self.columns, Table::new(&mut [], ""));
-        let filled = self.fill_rows(problem, |values, row| {
+        let filled = self.fill_rows(problem, &mut |values, row| {
             for (slot, column) in row.iter_mut().zip(columns.as_slice()) {
                 let value = values.get(usize::from(*column)).copied();
                 *slot = value.unwrap_or(R::ZERO);
@@ -198,7 +210,7 @@ impl<'m, R: Real> Forms<'m, R> {
     fn fill_rows(
         &mut self,
         problem: &Problem<'_>,
-        mut fill: impl FnMut(&[R], &mut [R]),
+        fill: &mut dyn FnMut(&[R], &mut [R]),
     ) -> Result<(), Error> {
         let points = PointSet::all(problem.domain());
         let theta = [R::ZERO; MAX_PARAMETERS];
@@ -279,19 +291,36 @@ impl<'m, R: Real> Forms<'m, R> {
     }
 
     /// Evaluates the left sides at a sample.
+    #[inline(never)]
     pub(in crate::learn::version_space) fn evaluate(
         &self,
         scene: &Scene<'_, R>,
         theta: &Theta,
-    ) -> Lefts<R> {
+        lefts: &mut [R],
+    ) {
         let theta = theta.map(R::from_f64);
         let sample: Point<'_, '_, R, R> = scene.sample(&theta);
-        let mut lefts = [R::ZERO; MAX_LEFTS];
         let nodes = self.features.nodes().iter().skip(FACTORS.len());
         for (value, node) in lefts.iter_mut().zip(nodes).take(self.left_count) {
             *value = sample.node(*node, |_| R::ZERO);
         }
-        lefts
+    }
+
+    /// The value of one form at a sample from one direction, as [`Forms::value`].
+    #[inline(never)]
+    pub(in crate::learn::version_space) fn value_in(
+        &self,
+        scene: &Scene<'_, R>,
+        theta: &Theta,
+        side: &Side,
+        instance: usize,
+    ) -> R {
+        let theta = theta.map(R::from_f64);
+        let sample: Point<'_, '_, R, R> = scene.sample(&theta);
+        let node = self.features.nodes().iter().skip(FACTORS.len());
+        let node = node.copied().nth(usize::from(side.left));
+        let left = node.map_or(R::NAN, |node| sample.node(node, |_| R::ZERO));
+        self.with_left(side, instance, left)
     }
 
     /// Evaluates the left sides at a sample of a problem. A scene is large: it has left
@@ -304,12 +333,14 @@ impl<'m, R: Real> Forms<'m, R> {
         &self,
         problem: &Problem<'_>,
         query: &Query,
-    ) -> Result<Lefts<R>, Error> {
+        lefts: &mut [R],
+    ) -> Result<(), Error> {
         let instance = problem.instance(query.instance)?;
         let points = PointSet::all(problem.domain());
         let mut scene = Scene::blank(problem.domain(), instance, points);
         scene.settle()?;
-        Ok(self.evaluate(&scene, &query.theta))
+        self.evaluate(&scene, &query.theta, lefts);
+        Ok(())
     }
 
     fn instance(&self, instance: usize) -> &[R] {
@@ -327,6 +358,10 @@ impl<'m, R: Real> Forms<'m, R> {
         lefts: &[R],
     ) -> R {
         let left = lefts.get(usize::from(side.left)).copied().unwrap_or(R::NAN);
+        self.with_left(side, instance, left)
+    }
+
+    fn with_left(&self, side: &Side, instance: usize, left: R) -> R {
         let right = self
             .instance(instance)
             .get(usize::from(side.column))

@@ -48,13 +48,13 @@ impl<R: Real> Forms<'_, R> {
         &self,
         step: usize,
         wanted: &Set,
-        mut visit: impl FnMut(Side, u32),
+        visit: &mut dyn FnMut(Side, u32),
     ) {
         for upper in [true, false] {
             for run in self.layout.runs() {
                 let (tracked, other) = run.split(self.tracked);
-                self.look_up_counts(&tracked, upper, wanted, &mut visit);
-                self.compute_counts(&other, upper, step, wanted, &mut visit);
+                self.look_up_counts(&tracked, upper, wanted, visit);
+                self.compute_counts(&other, upper, step, wanted, visit);
             }
         }
     }
@@ -66,7 +66,7 @@ impl<R: Real> Forms<'_, R> {
         run: &Run,
         upper: bool,
         wanted: &Set,
-        visit: &mut impl FnMut(Side, u32),
+        visit: &mut dyn FnMut(Side, u32),
     ) {
         let words = self.words();
         let planes = self.bits.get(usize::from(upper) * self.tracked..);
@@ -88,7 +88,7 @@ impl<R: Real> Forms<'_, R> {
         upper: bool,
         step: usize,
         wanted: &Set,
-        visit: &mut impl FnMut(Side, u32),
+        visit: &mut dyn FnMut(Side, u32),
     ) {
         let known = self.known();
         let feasible = self.feasible(step);
