@@ -131,8 +131,13 @@ impl Bits {
     }
 
     pub(super) fn has(self, point: u8) -> bool {
-        let word = self.0.get(usize::from(point / 32));
-        word.is_some_and(|word| word >> (point % 32) & 1 == 1)
+        let [low, high] = self.0;
+        let word = match point {
+            0..32 => low,
+            32..64 => high,
+            _ => 0,
+        };
+        word >> (point % 32) & 1 == 1
     }
 
     /// How many of them are below `point`.
