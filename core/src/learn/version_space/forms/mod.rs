@@ -299,7 +299,8 @@ impl<'m, R: Real> Forms<'m, R> {
         lefts: &mut [R],
     ) {
         let theta = theta.map(R::from_f64);
-        let sample: Point<'_, '_, R, R> = scene.sample(&theta);
+        let mut sample: Point<'_, '_, R, R> = Point::blank(scene, &theta);
+        sample.settle();
         let nodes = self.features.nodes().iter().skip(FACTORS.len());
         for (value, node) in lefts.iter_mut().zip(nodes).take(self.left_count) {
             *value = sample.node(*node, |_| R::ZERO);
@@ -316,7 +317,8 @@ impl<'m, R: Real> Forms<'m, R> {
         instance: usize,
     ) -> R {
         let theta = theta.map(R::from_f64);
-        let sample: Point<'_, '_, R, R> = scene.sample(&theta);
+        let mut sample: Point<'_, '_, R, R> = Point::blank(scene, &theta);
+        sample.settle();
         let node = self.features.nodes().iter().skip(FACTORS.len());
         let node = node.copied().nth(usize::from(side.left));
         let left = node.map_or(R::NAN, |node| sample.node(node, |_| R::ZERO));
