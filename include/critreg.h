@@ -520,7 +520,7 @@
 /**
  * Most intervals that critreg_region_intervals() can find.
  */
-#define CRITREG_MAX_INTERVALS 66
+#define CRITREG_MAX_INTERVALS 33
 
 /**
  * For critreg_config.precision: computing with double, the default. The same inputs

@@ -99,7 +99,7 @@ static critreg_status draw(const critreg_region *region)
 
 static critreg_status run(void)
 {
-    critreg_config config;
+    static critreg_config config;
     critreg_learner *learner = NULL;
     const critreg_region *region = NULL;
     critreg_status status = critreg_config_init(&config, sizeof config);
@@ -133,7 +133,7 @@ static void print_sizes(void)
     };
     size_t i;
     for (i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-        critreg_config config;
+        static critreg_config config;
         (void)critreg_config_init(&config, sizeof config);
         config.hypotheses = sizes[i].forms;
         config.observations = sizes[i].observations;

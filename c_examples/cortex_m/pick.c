@@ -31,7 +31,7 @@ static double instances[TRAINING][NUMBERS];
 static critreg_status learn(uint64_t seed, critreg_learner **learner,
                             const critreg_region **region)
 {
-    critreg_config config;
+    static critreg_config config;
     uint64_t i;
     for (i = 0; i < TRAINING; i++)
         TRY(critreg_stick_button_task(TRAINING * seed + i, 0, 1, instances[i], NUMBERS));
@@ -50,7 +50,7 @@ static critreg_status print_region(const critreg_learner *learner,
                                    const critreg_region *region)
 {
     static char text[2048];
-    critreg_report report;
+    static critreg_report report;
     TRY(critreg_region_format(region, text, sizeof text, NULL));
     TRY(critreg_report_init(&report, sizeof report));
     TRY(critreg_learner_report(learner, &report));
@@ -99,7 +99,7 @@ static critreg_status run(uint64_t seed)
 {
     critreg_learner *learner;
     const critreg_region *region;
-    double samples[DRAWS];
+    static double samples[DRAWS];
     machine_print("seed: ");
     print_whole(seed);
     machine_print("\n");

@@ -7,6 +7,7 @@ use crate::status::{Failure, Fallible};
 use core::marker::PhantomData;
 use critreg_core::domain::{Domain, MAX_PARAMETERS};
 use critreg_core::grammar::MAX_CONSTRAINTS;
+use critreg_core::region::MAX_INTERVALS;
 
 /// Longest domain text in bytes, with its NUL.
 pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
@@ -66,12 +67,11 @@ pub const CRITREG_MAX_PARAMETERS: usize = 6;
 pub const CRITREG_MAX_CONSTRAINTS: usize = 32;
 
 /// Most intervals that critreg_region_intervals() can find.
-pub const CRITREG_MAX_INTERVALS: usize = 66;
+pub const CRITREG_MAX_INTERVALS: usize = 33;
 
 const _: () = assert!(CRITREG_MAX_PARAMETERS == MAX_PARAMETERS);
 const _: () = assert!(CRITREG_MAX_CONSTRAINTS == MAX_CONSTRAINTS);
-// Two ends for each constraint, and those of the parameter's range.
-const _: () = assert!(CRITREG_MAX_INTERVALS == 2 * MAX_CONSTRAINTS + 2);
+const _: () = assert!(CRITREG_MAX_INTERVALS == MAX_INTERVALS);
 
 /// Alignment of all handles: memory made of `uint64_t` always fits.
 pub(crate) const ALIGNMENT: usize = align_of::<u64>();

@@ -289,6 +289,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         }
     }
 
+    #[inline(never)]
     pub(crate) fn settle(&mut self) {
         for index in self.scene.points.sampled.iter() {
             if let Some(point) = self.scene.domain.points().get(usize::from(index)) {
@@ -308,6 +309,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 
     /// The first of two expressions minus the second, which mostly is a mere number.
+    #[inline(never)]
     pub(crate) fn difference(&self, nodes: &[Node], [left, right]: [NodeId; 2]) -> A::Measure {
         let mut left = self.measure(nodes, left);
         match nodes.get(usize::from(right.0)) {

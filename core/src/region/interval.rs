@@ -9,7 +9,7 @@ use heapless::Vec;
 /// these and the ends of the line are their ends. There can be more if a constraint
 /// speaks of a group, or where an interval starts at the end of another one; then there
 /// may be no room.
-const MAX_INTERVALS: usize = MAX_CONSTRAINTS + 1;
+pub const MAX_INTERVALS: usize = MAX_CONSTRAINTS + 1;
 
 /// All numbers between two ends.
 #[derive(Clone, Copy, Debug, PartialEq)]

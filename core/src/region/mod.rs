@@ -21,7 +21,7 @@ mod slice;
 pub use bytes::SavedRegion;
 pub use ground::Grounded;
 pub use intersection::{Intersection, Part};
-pub use interval::{Interval, IntervalSet};
+pub use interval::{Interval, IntervalSet, MAX_INTERVALS};
 
 use crate::domain::{Domain, MAX_PARAMETERS, PointSet};
 use crate::error::Error;

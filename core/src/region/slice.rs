@@ -65,13 +65,24 @@ fn cut<R: Real>(
     cut.write(formula, set)
 }
 
-/// Whose a root is.
+/// Whose a root is, and whether its constraint holds behind it: twice the index of the
+/// constraint, and one more if so. There may be many roots, and they are on the stack.
 #[derive(Clone, Copy)]
-struct Root {
+struct Root(u8);
+
+impl Root {
+    fn new(owner: u8, then_holds: bool) -> Root {
+        Root(owner << 1 | u8::from(then_holds))
+    }
+
     /// Index of the constraint.
-    owner: u8,
-    /// Whether it holds behind it.
-    then_holds: bool,
+    fn owner(self) -> u8 {
+        self.0 >> 1
+    }
+
+    fn then_holds(self) -> bool {
+        self.0 & 1 == 1
+    }
 }
 
 /// Which constraints may hold and which may fail, a bit each.
@@ -170,15 +181,15 @@ impl<R: Real> Cut<R> {
             let equal = |t: &R| inside(t) && gaps.is_near_zero(*t);
             for at in roots(&curve).into_iter().filter(equal) {
                 let mut known = self.breaks.iter().zip(&self.roots);
-                if !known.any(|(place, root)| root.owner == owner && *place == at) {
+                if !known.any(|(place, root)| root.owner() == owner && *place == at) {
                     self.insert(owner, at, false)?;
                 }
             }
         }
         let holds_between = |a: R, b: R| gaps.holds(middle(a, b));
         let all = self.breaks.iter().zip(&mut self.roots).rev();
-        for (at, root) in all.filter(|(_, root)| root.owner == owner) {
-            root.then_holds = holds_between(*at, end);
+        for (at, root) in all.filter(|(_, root)| root.owner() == owner) {
+            *root = Root::new(owner, holds_between(*at, end));
             end = *at;
         }
         self.begin(owner, gaps.comparison(), holds_between(low, end));
@@ -208,7 +219,7 @@ impl<R: Real> Cut<R> {
     /// Sorted insertion.
     fn insert(&mut self, owner: u8, at: R, then_holds: bool) -> Result<(), Error> {
         const FULL: Error = Error::CapacityExceeded("intervals of a region");
-        let (mut at, mut root) = (at, Root { owner, then_holds });
+        let (mut at, mut root) = (at, Root::new(owner, then_holds));
         for (place, other) in self.breaks.iter_mut().zip(&mut self.roots) {
             if at < *place {
                 core::mem::swap(place, &mut at);
@@ -238,8 +249,8 @@ impl<R: Real> Cut<R> {
             while let Some((place, root)) = next
                 && *place == at
             {
-                owners |= bit(root.owner);
-                then_hold |= if root.then_holds { bit(root.owner) } else { 0 };
+                owners |= bit(root.owner());
+                then_hold |= if root.then_holds() { bit(root.owner()) } else { 0 };
                 next = breaks.next();
             }
             let here = truth(masks.with(owners, self.admit_equal));
