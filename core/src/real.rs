@@ -174,8 +174,8 @@ mod fast {
     use micromath::F32;
 
     /// An `f32` whose sine, cosine and arc tangent are micromath's approximations:
-    /// smaller and faster on a microcontroller, and good to about three digits. A type
-    /// of its own, so that one program can hold both.
+    /// smaller, and good to about three digits. A type of its own, so that one program
+    /// can hold both.
     #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
     pub struct Fast32(pub f32);
 

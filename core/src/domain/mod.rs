@@ -88,6 +88,7 @@ mod group;
 mod operator;
 pub mod pddl;
 mod point_set;
+mod sample;
 mod scene;
 mod schema;
 mod state;
@@ -113,7 +114,8 @@ pub use expression::{Coordinate, Dependence, MAX_DEPTH, Metric, Node, NodeId};
 pub use group::{Extreme, Group, MAX_GROUPS, Member, Relation};
 pub use operator::{GroundOperator, Operator, OperatorId, ground_operators};
 pub use point_set::PointSet;
-pub use scene::{MAX_SAMPLE_POINTS, Sample, Scene};
+pub use sample::Sample;
+pub use scene::{MAX_SAMPLE_POINTS, Scene};
 pub use schema::{
     Attribute, Base, Constant, Domain, MAX_ATTRIBUTES, MAX_CONSTANTS, MAX_DOMAIN_NODES,
     MAX_OBJECTS, MAX_PARAMETERS, MAX_POINTS, MAX_SHAPES, MAX_TYPES, Object, Parameter, Point,

@@ -250,7 +250,11 @@ impl<R: Real> Cut<R> {
                 && *place == at
             {
                 owners |= bit(root.owner());
-                then_hold |= if root.then_holds() { bit(root.owner()) } else { 0 };
+                then_hold |= if root.then_holds() {
+                    bit(root.owner())
+                } else {
+                    0
+                };
                 next = breaks.next();
             }
             let here = truth(masks.with(owners, self.admit_equal));

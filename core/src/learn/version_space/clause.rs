@@ -6,7 +6,7 @@
 //! of conjunctions, with what they have in common said once.
 
 use super::bound::Bound;
-use super::cover::{Chosen, first_of, range};
+use super::chosen::{Chosen, first_of, range};
 use super::forms::{Forms, Set, Side};
 use super::greedy::Taste;
 use super::set::{count, members};

@@ -1,6 +1,7 @@
 //! Keeping the explanations up to date, and electing the best.
 
-use super::cover::{Chosen, Cover, MEMBERS};
+use super::chosen::Chosen;
+use super::cover::{Cover, MEMBERS};
 use super::explain;
 use super::forms::Forms;
 use super::greedy::Taste;

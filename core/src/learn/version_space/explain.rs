@@ -1,8 +1,9 @@
 //! The region that an explanation stands for.
 
 use super::bound::Bound;
+use super::chosen::Chosen;
 use super::config::Evidence;
-use super::cover::{Chosen, Cover};
+use super::cover::Cover;
 use super::forms::{Forms, tolerance};
 use super::name::{Name, Named, Scaled, clearance, simplest};
 use crate::domain::{Domain, Node, NodeId, Relation, TermError, copy, intern};

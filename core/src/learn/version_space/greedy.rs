@@ -1,6 +1,6 @@
 //! The greedy choice of the next form of an explanation.
 
-use super::cover::first_of;
+use super::chosen::first_of;
 use super::forms::{Forms, Set, Side};
 use super::set::intersect;
 use crate::real::Real;

@@ -63,6 +63,7 @@
 mod ask;
 mod bound;
 mod certificate;
+mod chosen;
 mod clause;
 mod config;
 mod cover;

@@ -13,7 +13,8 @@
 //! one: a way of eight returned queries would take as much stack as a scene.
 
 use super::bound::Bound;
-use super::cover::{Chosen, Cover, MEMBERS};
+use super::chosen::Chosen;
+use super::cover::{Cover, MEMBERS};
 use super::forms::Forms;
 use crate::domain::{MAX_PARAMETERS, PointSet, Scene};
 use crate::error::Error;

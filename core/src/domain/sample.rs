@@ -1,0 +1,285 @@
+//! A scene at one sample: points that depend on parameters, and values of expressions.
+
+use super::algebra::{Algebra, Arithmetic, Measure};
+use super::expression::{Coordinate, Metric, Node, NodeId};
+use super::group::{Extreme, Relation};
+use super::scene::{MAX_SAMPLE_POINTS, Scene, is_zero, parameter};
+use super::schema::{Base, Point};
+use super::turns::Turn;
+use crate::geometry::Rotation;
+use crate::real::Real;
+use heapless::Vec;
+
+/// Where a sample point is: its origin may vary with the parameters.
+#[derive(Clone, Copy, Debug)]
+struct Placed<A> {
+    origin: [A; 3],
+    turn: Turn,
+    /// Whether its rotation is one of the sample, and not of the scene.
+    turns_itself: bool,
+}
+
+/// A scene at one sample: the sample points have their places.
+#[derive(Clone, Debug)]
+pub struct Sample<'s, 'a, R, A> {
+    scene: &'s Scene<'a, R>,
+    theta: &'s [A],
+    placed: Vec<Placed<A>, MAX_SAMPLE_POINTS>,
+    /// Of the points that are turned.
+    rotations: Vec<R, { 9 * MAX_SAMPLE_POINTS }>,
+}
+
+impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
+    /// As [`Scene::sample`], to be completed in place by [`Sample::settle`], which saves
+    /// moving the points.
+    pub(crate) fn blank(scene: &'s Scene<'a, R>, theta: &'s [A]) -> Self {
+        Sample {
+            scene,
+            theta,
+            placed: Vec::new(),
+            rotations: Vec::new(),
+        }
+    }
+
+    #[inline(never)]
+    pub(crate) fn settle(&mut self) {
+        for index in self.scene.points.sampled.iter() {
+            if let Some(point) = self.scene.domain.points().get(usize::from(index)) {
+                let placed = self.place(point);
+                // There is room: the scene counted the points.
+                let _ = self.placed.push(placed);
+            }
+        }
+    }
+
+    /// The value of an expression.
+    pub fn measure(&self, nodes: &[Node], id: NodeId) -> A::Measure {
+        match nodes.get(usize::from(id.0)) {
+            Some(node) => self.node(*node, |id| self.measure(nodes, id)),
+            None => A::Measure::unknown(),
+        }
+    }
+
+    /// The first of two expressions minus the second, which mostly is a mere number.
+    #[inline(never)]
+    pub(crate) fn difference(&self, nodes: &[Node], [left, right]: [NodeId; 2]) -> A::Measure {
+        let mut left = self.measure(nodes, left);
+        match nodes.get(usize::from(right.0)) {
+            Some(term @ (Node::Number(_) | Node::Constant(_) | Node::Attribute(_))) => {
+                left.lower(self.scene.settled(term));
+                left
+            }
+            _ => left.minus(self.measure(nodes, right)),
+        }
+    }
+
+    /// As [`Sample::measure`], with one member of a group in place of all where
+    /// `chosen` has one for an extreme: by its place among those the instance has.
+    pub(crate) fn measure_choosing(
+        &self,
+        nodes: &[Node],
+        id: NodeId,
+        chosen: &impl Fn(NodeId) -> Option<usize>,
+    ) -> A::Measure {
+        let term = match (nodes.get(usize::from(id.0)), chosen(id)) {
+            (Some(Node::Extreme(_, relation)), Some(place)) => {
+                self.scene.terms(*relation).nth(place)
+            }
+            (node, _) => node.copied(),
+        };
+        term.map_or_else(A::Measure::unknown, |node| {
+            self.node(node, |id| self.measure_choosing(nodes, id, chosen))
+        })
+    }
+
+    /// How many members of its group the instance has for a relation.
+    pub(crate) fn member_count(&self, relation: Relation) -> usize {
+        self.scene.terms(relation).count()
+    }
+
+    /// The value of a node whose operands are known.
+    #[inline]
+    pub fn node(&self, node: Node, operand: impl Fn(NodeId) -> A::Measure) -> A::Measure {
+        match node {
+            Node::Sum(a, b) => operand(a).plus(operand(b)),
+            Node::Difference(a, b) => operand(a).minus(operand(b)),
+            Node::Product(a, b) => operand(a).times(operand(b)),
+            leaf => self.leaf(leaf),
+        }
+    }
+
+    fn leaf(&self, leaf: Node) -> A::Measure {
+        match leaf {
+            Node::Parameter(p) => parameter(self.theta, p).measure(),
+            Node::Coordinate(coordinate, p) => self.coordinate(coordinate, p),
+            Node::Distance(metric, a, b) => self.distance(metric, a, b),
+            Node::Angle(a, b) => self.angle(a, b),
+            Node::VertexAngle(a, vertex, b) => self.vertex_angle(a, vertex, b),
+            Node::Extreme(extreme, relation) => self.extreme(extreme, relation),
+            settled => A::Measure::constant(self.scene.settled(&settled)),
+        }
+    }
+
+    #[inline(never)]
+    fn extreme(&self, extreme: Extreme, relation: Relation) -> A::Measure {
+        let values = self.scene.terms(relation).map(|term| self.leaf(term));
+        values
+            .reduce(|a, b| a.extreme(extreme, b))
+            .unwrap_or_else(|| A::Measure::constant(extreme.of_nothing()))
+    }
+
+    fn coordinate(&self, coordinate: Coordinate, point: u8) -> A::Measure {
+        match coordinate {
+            Coordinate::X => self.along(0, point).measure(),
+            Coordinate::Y => self.along(1, point).measure(),
+            Coordinate::Z => self.along(2, point).measure(),
+            Coordinate::Theta => match self.heading(point) {
+                Some([x, y, _]) => A::Measure::constant(y.atan2(x)),
+                None => A::Measure::unknown(),
+            },
+        }
+    }
+
+    fn distance(&self, metric: Metric, a: u8, b: u8) -> A::Measure {
+        let zero = A::constant(R::ZERO);
+        let axis = match metric {
+            Metric::X => 0,
+            Metric::Y => 1,
+            Metric::Z => 2,
+            Metric::Straight => {
+                let ([ax, ay, az], [bx, by, bz]) = (self.origin(a), self.origin(b));
+                return A::norm([ax.minus(bx), ay.minus(by), az.minus(bz)]);
+            }
+        };
+        A::norm([self.along(axis, a).minus(self.along(axis, b)), zero, zero])
+    }
+
+    fn angle(&self, a: u8, b: u8) -> A::Measure {
+        let headings = (self.heading(a), self.heading(b));
+        match headings {
+            (Some(a), Some(b)) => A::Measure::constant(R::angle(a, b)),
+            _ => A::Measure::unknown(),
+        }
+    }
+
+    #[inline(never)]
+    fn vertex_angle(&self, a: u8, vertex: u8, b: u8) -> A::Measure {
+        let at = self.origin(vertex);
+        let [to_a, to_b] = [a, b].map(|point| {
+            let [[x, y, z], [ox, oy, oz]] = [self.origin(point), at];
+            [x.minus(ox), y.minus(oy), z.minus(oz)]
+        });
+        A::angle(to_a, to_b)
+    }
+
+    /// Where a sample point is; `None` for a point that is none.
+    fn placed(&self, point: u8) -> Option<&Placed<A>> {
+        let sampled = self.scene.points.sampled;
+        sampled
+            .has(point)
+            .then(|| self.placed.get(sampled.rank(point)))?
+    }
+
+    fn origin(&self, point: u8) -> [A; 3] {
+        match self.placed(point) {
+            Some(placed) => placed.origin,
+            None => self.scene.placed(point).0.map(A::constant),
+        }
+    }
+
+    /// One coordinate of a point, by the number of the axis.
+    fn along(&self, axis: usize, point: u8) -> A {
+        let known = match self.placed(point) {
+            Some(placed) => placed.origin.get(axis).copied(),
+            None => {
+                let origin = self.scene.origins.get(self.scene.points.fixed.rank(point));
+                let known = origin.and_then(|origin| origin.get(axis));
+                known.map(|value| A::constant(*value))
+            }
+        };
+        known.unwrap_or_else(A::unknown)
+    }
+
+    /// A point that others are placed in.
+    fn base(&self, point: u8) -> Placed<A> {
+        match self.placed(point) {
+            Some(placed) => *placed,
+            None => {
+                let (origin, turn) = self.scene.placed(point);
+                Placed {
+                    origin: origin.map(A::constant),
+                    turn,
+                    turns_itself: false,
+                }
+            }
+        }
+    }
+
+    /// The list that a turn is one of.
+    fn list(&self, own: bool) -> &[R] {
+        if own {
+            &self.rotations
+        } else {
+            &self.scene.rotations
+        }
+    }
+
+    /// The rotation of a point, if it is known.
+    fn rotation(&self, placed: &Placed<A>) -> Option<Rotation<R>> {
+        placed.turn.rotation(self.list(placed.turns_itself))
+    }
+
+    /// The direction of a point's x axis, if it is known.
+    fn heading(&self, point: u8) -> Option<[R; 3]> {
+        Some(self.rotation(&self.base(point))?.heading())
+    }
+
+    /// Turns and moves a sample point in the frame it is placed in.
+    #[inline(never)]
+    fn place(&mut self, point: &Point<'_>) -> Placed<A> {
+        let mut placed = match point.base {
+            Base::World => Placed {
+                origin: [A::constant(R::ZERO); 3],
+                turn: Turn::World,
+                turns_itself: false,
+            },
+            Base::Object(object) => Placed {
+                origin: self.scene.object_origin(object).map(A::constant),
+                turn: self.keep(&self.scene.object_rotation(object)),
+                turns_itself: true,
+            },
+            Base::Point(p) => self.base(p),
+        };
+        if !is_zero(&point.turn) {
+            placed.turn = self.turned(&placed, point.turn);
+            placed.turns_itself = true;
+        }
+        if !is_zero(&point.offset) {
+            match self.rotation(&placed) {
+                Some(rotation) => {
+                    let origin = &mut placed.origin;
+                    self.scene
+                        .advance(origin, &rotation, &point.offset, self.theta);
+                }
+                None => placed.origin = [A::unknown(); 3],
+            }
+        }
+        placed
+    }
+
+    /// A turn that varies is unknown, unless the algebra is that of numbers.
+    fn turned(&mut self, base: &Placed<A>, turn: [Option<NodeId>; 3]) -> Turn {
+        let angles = turn.map(|id| self.scene.offset_term(id, self.theta).known());
+        match (self.rotation(base), angles) {
+            (Some(base), [Some(yaw), Some(pitch), Some(roll)]) => {
+                self.keep(&base.compose(&Rotation::new([yaw, pitch, roll])))
+            }
+            _ => Turn::Unknown,
+        }
+    }
+
+    /// Keeps a rotation; there is room for one of each sample point.
+    fn keep(&mut self, rotation: &Rotation<R>) -> Turn {
+        Turn::keep(rotation, &mut self.rotations).unwrap_or(Turn::Unknown)
+    }
+}
