@@ -17,7 +17,16 @@
 #define SEEDS 3
 #define DRAWS 5
 
-static uint64_t memory[CRITREG_LEARNER_WORDS_FOR(FORMS, OBSERVATIONS, TRAINING, 1)];
+/* What is computed with, how much is kept, and where; the Makefile has another choice. */
+#ifndef PRECISION
+#define PRECISION CRITREG_F64
+#define TRACKED UINT32_MAX
+#endif
+#ifndef MEMORY_BYTES
+#define MEMORY_BYTES (8 * CRITREG_LEARNER_WORDS_FOR(FORMS, OBSERVATIONS, TRAINING, 1))
+#endif
+
+static uint64_t memory[MEMORY_BYTES / 8];
 static double instances[TRAINING][NUMBERS];
 
 /* Leaves the function with a failure. */
@@ -40,6 +49,8 @@ static critreg_status learn(uint64_t seed, critreg_learner **learner,
     config.hypotheses = FORMS;
     config.observations = OBSERVATIONS;
     config.instances = TRAINING;
+    config.precision = PRECISION;
+    config.tracked = TRACKED;
     TRY(critreg_learner_init(memory, sizeof memory, critreg_stick_button_domain(), &config,
                              learner));
     return critreg_learn_region(*learner, &instances[0][0], TRAINING,
