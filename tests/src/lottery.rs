@@ -30,10 +30,7 @@ const WON: PredicateId = PredicateId(0);
 const DRAW: ControllerId = ControllerId(0);
 
 const fn length(name: &'static str) -> Attribute<'static> {
-    Attribute {
-        name,
-        dimension: Dimension::Length,
-    }
+    Attribute::new(name, Dimension::Length)
 }
 
 static TYPES: [ObjectType; 2] = [
@@ -42,10 +39,7 @@ static TYPES: [ObjectType; 2] = [
         attributes: &[
             length("x"),
             length("y"),
-            Attribute {
-                name: "won",
-                dimension: Dimension::Flag,
-            },
+            Attribute::new("won", Dimension::Flag),
         ],
         naming: Naming::Numbered("lot"),
     },

@@ -115,7 +115,7 @@ fn planned_by_the_core(seed: u64) -> String {
     );
     for step in planned.steps {
         let ground = &grounding.operators[usize::from(step.operator)];
-        let name = ENVIRONMENT.operators()[usize::from(ground.operator.0)].name;
+        let name = ENVIRONMENT.operator(ground).unwrap().name;
         write!(line, " ({name}").unwrap();
         for object in ground.objects.as_slice() {
             let name = task.initial.name(ENVIRONMENT.types(), *object).unwrap();

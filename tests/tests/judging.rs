@@ -43,6 +43,19 @@ fn know(skills: &mut Skills<'_>, index: usize, text: &str) {
     skill.set_region(Some(region));
 }
 
+/// Skills of an environment that were seen at work, and one of which has this region.
+fn knowing<'m, E: Describe>(
+    room: &'m mut SkillRoom,
+    environment: &E,
+    tasks: &[Task],
+    (index, text): (usize, &str),
+) -> Skills<'m> {
+    let mut skills = room.lend(environment);
+    observe(environment, &mut skills, tasks, 10);
+    know(&mut skills, index, text);
+    skills
+}
+
 /// Tasks of a recording.
 fn recorded<E: Environment>(recording: &Recording, environment: &E, split: &str) -> Vec<Task> {
     let all = recording.tasks(environment).into_iter();
@@ -100,7 +113,7 @@ fn last_grasp(
     for place in places {
         let ground = &operators[usize::from(*place)];
         let can = usize::from(ground.objects.as_slice()[0].0);
-        let operator = &ClutteredTable.operators()[usize::from(ground.operator.0)];
+        let operator = ClutteredTable.operator(ground).unwrap();
         last = (operator.controller == GRASP).then_some(can);
         left[can] = last.is_some();
     }
@@ -169,9 +182,8 @@ fn training_tasks() -> Vec<Task> {
 #[test]
 fn a_can_that_is_dumped_is_in_nobodys_way() {
     let mut skill_room = SkillRoom::new(&ClutteredTable);
-    let mut skills = skill_room.lend(&ClutteredTable);
-    observe(&ClutteredTable, &mut skills, &training_tasks(), 10);
-    know(&mut skills, 0, FREE);
+    let tasks = training_tasks();
+    let mut skills = knowing(&mut skill_room, &ClutteredTable, &tasks, (0, FREE));
     // That a grasp cannot work is proven in boxes of some size.
     let free = (
         |can, others: &[_]| widest_gap(can, others) - FRAC_PI_2,
@@ -212,11 +224,10 @@ fn what_was_hardly_seen_may_change_anything() {
 #[test]
 fn what_is_placed_anywhere_is_not_expected_anywhere() {
     let mut skill_room = SkillRoom::new(&ClutteredTablePlace);
-    let mut skills = skill_room.lend(&ClutteredTablePlace);
     let tasks = recorded(&CLUTTERED_TABLE_PLACE, &ClutteredTablePlace, "train");
-    observe(&ClutteredTablePlace, &mut skills, &tasks, 10);
     // The cans of all tasks stand closer, but where they are placed nobody knows.
-    know(&mut skills, 0, "min(dist(can, other_can)) >= 2");
+    let far = (0, "min(dist(can, other_can)) >= 2");
+    let skills = knowing(&mut skill_room, &ClutteredTablePlace, &tasks, far);
     let mut counts = [0; 4];
     for task in &tasks[..10] {
         let grounding = Grounding::new(&ClutteredTablePlace, task).unwrap();
@@ -233,11 +244,10 @@ fn what_is_placed_anywhere_is_not_expected_anywhere() {
 #[test]
 fn what_is_always_the_same_afterwards_is_told_again() {
     let mut skill_room = SkillRoom::new(&Cover);
-    let mut skills = skill_room.lend(&Cover);
     let tasks = recorded(&COVER, &Cover, "train");
-    observe(&Cover, &mut skills, &tasks, 10);
     // Only what is held is placed. Where it is held varies, where it is not is one number.
-    know(&mut skills, 1, "block.grasp >= -0.5");
+    let held = (1, "block.grasp >= -0.5");
+    let skills = knowing(&mut skill_room, &Cover, &tasks, held);
     let [block, other] = BLOCKS;
     let (place, pick) = (&[block, TARGETS[0]][..], &[block][..]);
     let (mut held, mut lying) = (0, 0);
@@ -256,6 +266,9 @@ fn what_is_always_the_same_afterwards_is_told_again() {
 }
 
 // How long parameters count
+
+/// Two blocks do not go to one place.
+const ELSEWHERE: (usize, &str) = (3, "dist(target.centre, later_target.centre) >= 0.04");
 
 /// What the guide says of operators of Cover, each by its objects.
 fn judged(task: &Task, skills: &Skills<'_>, steps: &[&[ObjectId]]) -> bool {
@@ -280,7 +293,7 @@ fn works(
     let mut state = task.initial.clone();
     places.iter().all(|place| {
         let ground = &operators[usize::from(*place)];
-        let operator = &Cover.operators()[usize::from(ground.operator.0)];
+        let operator = Cover.operator(ground).unwrap();
         let click = [choose(ground, &state) as f32];
         let outcome = try_operator(&Cover, operator, ground.objects.as_slice(), &click, &state);
         let worked = outcome.is_feasible();
@@ -303,14 +316,8 @@ fn centred(ground: &GroundOperator, state: &State) -> f64 {
 #[test]
 fn a_place_counts_until_its_block_is_picked_again() {
     let mut skill_room = SkillRoom::new(&Cover);
-    let mut skills = skill_room.lend(&Cover);
     let tasks = recorded(&COVER, &Cover, "train");
-    observe(&Cover, &mut skills, &tasks, 10);
-    know(
-        &mut skills,
-        3,
-        "dist(target.centre, later_target.centre) >= 0.04",
-    );
+    let skills = knowing(&mut skill_room, &Cover, &tasks, ELSEWHERE);
     let (mut counts, mut rng) = ([0; 2], generator(1));
     for task in &tasks[..20] {
         let grounding = Grounding::new(&Cover, task).unwrap();
@@ -339,14 +346,8 @@ fn a_place_counts_until_its_block_is_picked_again() {
 #[test]
 fn the_same_target_again_with_and_without_the_block_in_between() {
     let mut skill_room = SkillRoom::new(&Cover);
-    let mut skills = skill_room.lend(&Cover);
     let tasks = recorded(&COVER, &Cover, "train");
-    observe(&Cover, &mut skills, &tasks, 10);
-    know(
-        &mut skills,
-        3,
-        "dist(target.centre, later_target.centre) >= 0.04",
-    );
+    let skills = knowing(&mut skill_room, &Cover, &tasks, ELSEWHERE);
     let judged = |steps: &[&[ObjectId]]| judged(&tasks[0], &skills, steps);
     let ([b0, b1], [t0, t1]) = (BLOCKS, TARGETS);
     assert!(!judged(&[&[b0, t1], &[b1], &[b1, t1]]));

@@ -50,14 +50,8 @@ fn scope<'s>(state: &'s State, own: &'s [ObjectId], later: &'s [ObjectId]) -> Sc
     }
 }
 
-const X: Attribute<'static> = Attribute {
-    name: "x",
-    dimension: Dimension::Length,
-};
-const W: Attribute<'static> = Attribute {
-    name: "w",
-    dimension: Dimension::Length,
-};
+const X: Attribute<'static> = Attribute::new("x", Dimension::Length);
+const W: Attribute<'static> = Attribute::new("w", Dimension::Length);
 const TYPES: [ObjectType; 4] = [
     ObjectType {
         name: "hand",

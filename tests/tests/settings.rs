@@ -194,7 +194,7 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
     for task in cluttered_tasks(4).iter().take(20) {
         let grounding = Grounding::new(&ClutteredTable, task).unwrap();
         for (place, ground) in (0..).zip(&grounding.operators) {
-            let operator = &ClutteredTable.operators()[usize::from(ground.operator.0)];
+            let operator = ClutteredTable.operator(ground).unwrap();
             if operator.controller != GRASP {
                 continue;
             }
@@ -229,7 +229,7 @@ fn a_setting_is_tried_with_parameters_that_are_completed() {
     for setting in settings(&ClutteredTable, 0, &cluttered_tasks(5)) {
         let ground = &setting.steps[0];
         let objects = ground.objects.as_slice();
-        let operator = &ClutteredTable.operators()[usize::from(ground.operator.0)];
+        let operator = ClutteredTable.operator(ground).unwrap();
         let can = cans(&setting.state).unwrap()[usize::from(objects[0].0)];
         for _ in 0..50 {
             let start = [0, 1].map(|_| f64::from(uniform_in(&mut rng, 0.0, 1.0) as f32));

@@ -192,9 +192,7 @@ fn a_skill_that_nothing_is_known_of_is_the_original_sampler() {
 fn may_work(state: &State, operators: &[&GroundOperator]) -> bool {
     let world = World::of(state).unwrap();
     let ([_, stick, ..], [_, holder, _]) = (*world.stick, *world.holder);
-    let controller = |ground: &GroundOperator| {
-        ENVIRONMENT.operators()[usize::from(ground.operator.0)].controller
-    };
+    let controller = |ground: &GroundOperator| ENVIRONMENT.operator(ground).unwrap().controller;
     let button = |ground: &GroundOperator, place: usize| {
         let object = ground.objects.as_slice()[place];
         world.buttons[usize::from(object.0 - FIRST_BUTTON.0)][1]

@@ -219,10 +219,7 @@ mod tests {
     use crate::domain::Dimension;
     use std::string::ToString;
 
-    const X: Attribute<'static> = Attribute {
-        name: "x",
-        dimension: Dimension::Length,
-    };
+    const X: Attribute<'static> = Attribute::new("x", Dimension::Length);
     const TYPES: [ObjectType; 2] = [
         ObjectType {
             name: "robot",

@@ -77,10 +77,9 @@ pub fn try_operator_from<E: Environment>(
     parameters: &[f32],
     state: &mut State,
 ) -> (u32, Verdict) {
-    let controllers = environment.controllers();
-    let controller = controllers.get(usize::from(operator.controller.0));
+    let controller = environment.controller(operator.controller);
     let arguments = operator.controller_objects(objects);
-    let (Some(controller), Ok(arguments)) = (controller, arguments) else {
+    let (Ok(controller), Ok(arguments)) = (controller, arguments) else {
         return (0, Verdict::NoAction);
     };
     let arguments = arguments.as_slice();

@@ -116,3 +116,10 @@ pub fn learn_region<'l, L: Learner, E: From<Error>>(
     }
     Ok(learner.region()?)
 }
+
+/// As much of a lent table as a learner needs.
+fn cut<T>(table: &mut [T], length: usize) -> Result<&mut [T], Error> {
+    table.get_mut(..length).ok_or(Error::InvalidArgument(
+        "the learner needs more memory for this capacity",
+    ))
+}

@@ -1,4 +1,4 @@
-//! Whole numbers that are long enough to decide which `f64` a text means.
+//! Whole numbers that are long enough to read and write every `f64` exactly.
 
 use core::cmp::Ordering;
 use heapless::Vec;

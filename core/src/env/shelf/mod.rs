@@ -249,27 +249,18 @@ impl Environment for Shelf {
 }
 
 const fn length(name: &'static str) -> Attribute<'static> {
-    Attribute {
-        name,
-        dimension: Dimension::Length,
-    }
+    Attribute::new(name, Dimension::Length)
 }
 
 const fn angle(name: &'static str) -> Attribute<'static> {
-    Attribute {
-        name,
-        dimension: Dimension::Angle,
-    }
+    Attribute::new(name, Dimension::Angle)
 }
 
 const X: Attribute<'static> = length("x");
 const Y: Attribute<'static> = length("y");
 const Z: Attribute<'static> = length("z");
 const YAW: Attribute<'static> = angle("yaw");
-const HELD: Attribute<'static> = Attribute {
-    name: "held",
-    dimension: Dimension::Flag,
-};
+const HELD: Attribute<'static> = Attribute::new("held", Dimension::Flag);
 
 static TYPES: [ObjectType; 3] = [
     ObjectType {

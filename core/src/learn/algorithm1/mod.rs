@@ -44,7 +44,7 @@ pub use config::{Capacity, Config, Memory, Report};
 
 use super::log::Observation;
 use super::problem::Problem;
-use super::{Answer, Learner, Query};
+use super::{Answer, Learner, Query, cut};
 use crate::domain::{
     CHECKSUM, Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene,
 };
@@ -140,17 +140,14 @@ impl<'m, R: Real> Algorithm1<'m, R> {
                 "Algorithm 1 learns about parameters, and the domain declares none",
             ));
         }
-        let short = || Error::InvalidArgument("the learner needs more memory for this capacity");
-        let nodes = memory.features.get_mut(..capacity.features());
-        let values = memory.values.get_mut(..capacity.features());
-        let features =
-            Features::enumerate(domain, nodes.ok_or_else(short)?, values.ok_or_else(short)?)?;
-        let pairs = memory.pairs.get_mut(..capacity.pairs());
-        let hypotheses = Hypotheses::enumerate(&features, pairs.ok_or_else(short)?);
-        let bounds = memory.bounds.get_mut(..capacity.lefts());
-        let bounds = BoundTable::new(bounds.ok_or_else(short)?);
-        let observations = memory.observations.get_mut(..capacity.observations);
-        let observations = Table::new(observations.ok_or_else(short)?, "observations");
+        let nodes = cut(memory.features, capacity.features())?;
+        let values = cut(memory.values, capacity.features())?;
+        let features = Features::enumerate(domain, nodes, values)?;
+        let pairs = cut(memory.pairs, capacity.pairs())?;
+        let hypotheses = Hypotheses::enumerate(&features, pairs);
+        let bounds = BoundTable::new(cut(memory.bounds, capacity.lefts())?);
+        let observations = cut(memory.observations, capacity.observations)?;
+        let observations = Table::new(observations, "observations");
         for sample in [config.negative, config.positive].iter().flatten() {
             check_sample(domain, sample)?;
         }

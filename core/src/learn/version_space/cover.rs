@@ -97,8 +97,7 @@ impl<R: Real> Cover<R> {
     ) {
         self.choose(forms, step, Taste::SOBER, 0.0, rng);
         self.chosen.truncate(simple);
-        let mut left = forms.infeasible(step);
-        remove(&mut left, &self.excluded(forms, step));
+        let left = self.overlap(forms, step).open;
         if let Some(clause) = best_clause(forms, &left, step) {
             let _ = self.chosen.push(clause);
         }
@@ -115,10 +114,7 @@ impl<R: Real> Cover<R> {
         slack: f64,
         rng: &mut Generator,
     ) {
-        let mut left = forms.infeasible(step);
-        for chosen in &self.chosen {
-            remove(&mut left, &chosen.excluded(forms, step));
-        }
+        let mut left = self.overlap(forms, step).open;
         while !is_empty(&left) && !self.chosen.is_full() {
             let Some(side) = best_side(forms, &left, step, taste, rng.next_u32()) else {
                 break;

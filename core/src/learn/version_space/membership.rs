@@ -6,8 +6,8 @@
 //! they disagree.
 
 use super::VersionSpace;
-use super::forms::MAX_LEFTS;
-use super::set::{is_empty, members, remove};
+use super::forms::{MAX_LEFTS, MAX_WORDS};
+use super::set::{insert, is_empty, members, remove};
 use crate::error::Error;
 use crate::learn::{Problem, Query};
 use crate::real::Real;
@@ -59,13 +59,13 @@ impl<R: Real> VersionSpace<'_, R> {
             inside &= value <= forms.last_feasible(&side, step);
             let mut excluded = forms.excluded(&side, step);
             remove(&mut open, &excluded);
-            for sample in members(&excluded.clone()) {
-                if forms.value_at(&side, sample) <= value
-                    && let Some(word) = excluded.get_mut(sample / 64)
-                {
-                    *word &= !(1 << (sample % 64));
+            let mut admitted = [0; MAX_WORDS];
+            for sample in members(&excluded) {
+                if forms.value_at(&side, sample) <= value {
+                    insert(&mut admitted, sample);
                 }
             }
+            remove(&mut excluded, &admitted);
             remove(&mut left, &excluded);
         });
         match (is_empty(&open), is_empty(&left)) {

@@ -84,7 +84,7 @@ pub use membership::Membership;
 
 use super::log::Observation;
 use super::problem::Problem;
-use super::{Answer, Learner, Query};
+use super::{Answer, Learner, Query, cut};
 use crate::domain::{CHECKSUM, Domain};
 use crate::error::Error;
 use crate::random::{Generator, generator};
@@ -349,12 +349,6 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             _ => Ok(()),
         }
     }
-}
-
-fn cut<T>(table: &mut [T], length: usize) -> Result<&mut [T], Error> {
-    table.get_mut(..length).ok_or(Error::InvalidArgument(
-        "the learner needs more memory for this capacity",
-    ))
 }
 
 /// How far one answer must lead to be beyond doubt.
