@@ -14,11 +14,14 @@
 //! | module | what it knows |
 //! |---|---|
 //! | [`mod@env`] | built-in environments: a simulator, its predicates, controllers, operators, tasks |
+//! | [`skill`] | regions in the planner: roles, learning from training tasks, sampler and guide |
 //! | [`plan`] | a bilevel planner: sequences of operators first, then their parameters |
+//! | [`pddl`] | operators and problems as text, grounded |
+//! | [`mod@task`] | states, predicates, operators, controllers, environments, tasks |
 //! | [`learn`] | learners: they ask for samples, are told what came of them, and end with a region |
 //! | [`region`] | regions: constraints, grounded in an instance, sampled exactly |
 //! | [`grammar`] | features and hypotheses made of a domain, formulas and their text |
-//! | [`domain`] | the problem: objects, states, predicates, operators, controllers; the domain text |
+//! | [`domain`] | what can be said of an action: the domain text, terms, and numbers put into them |
 //! | [`geometry`] | frames of reference, shapes, intersection |
 //! | [`real`], [`random`], [`table`], [`text`] | numbers, random numbers, tables in lent memory, reading and writing |
 //!
@@ -81,11 +84,14 @@ mod error;
 pub mod geometry;
 pub mod grammar;
 pub mod learn;
+pub mod pddl;
 pub mod plan;
 pub mod random;
 pub mod real;
 pub mod region;
+pub mod skill;
 pub mod table;
+pub mod task;
 pub mod text;
 mod wire;
 

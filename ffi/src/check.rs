@@ -9,8 +9,10 @@ use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::text;
 use core::ffi::c_char;
 use core::fmt;
-use critreg_core::domain::{Domain, GroundAtom, pddl};
+use critreg_core::domain::Domain;
+use critreg_core::pddl;
 use critreg_core::region::Region;
+use critreg_core::task::GroundAtom;
 
 /// Reads a domain text and says what is wrong with it, such as
 /// "line 3, column 7: unknown object".

@@ -14,9 +14,10 @@ use core::cell::{Cell, RefCell};
 use core::ffi::{c_char, c_void};
 use core::fmt;
 use critreg_core::Error;
-use critreg_core::domain::pddl::Problem;
-use critreg_core::domain::{GroundAtom, MAX_PARAMETERS};
+use critreg_core::domain::MAX_PARAMETERS;
+use critreg_core::pddl::Problem;
 use critreg_core::plan;
+use critreg_core::task::GroundAtom;
 
 /// Longest domain or problem text of a planner in bytes, with its NUL.
 pub const CRITREG_PDDL_TEXT_MAX: usize = 65_536;

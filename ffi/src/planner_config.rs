@@ -2,8 +2,8 @@
 
 use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::structs::{self, Versioned};
-use critreg_core::domain::MAX_ARGUMENTS;
 use critreg_core::plan::{self, Heuristic, MAX_SKELETON};
+use critreg_core::task::MAX_ARGUMENTS;
 
 /// For critreg_planner_config.heuristic: LM-cut (Helmert and Domshlak 2009), the
 /// default. Never too high, so that shorter sequences come before longer ones.

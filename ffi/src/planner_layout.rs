@@ -8,11 +8,10 @@ use crate::planner_names::Names;
 use crate::status::Fallible;
 use core::cell::Cell;
 use critreg_core::Error;
-use critreg_core::domain::pddl::{Domain, Grounding, MAX_ACTIONS, Problem};
-use critreg_core::domain::{
-    Arguments, AtomSet, GroundAtom, GroundOperator, MAX_PARAMETERS, OperatorId,
-};
+use critreg_core::domain::MAX_PARAMETERS;
+use critreg_core::pddl::{Domain, Grounding, MAX_ACTIONS, Problem};
 use critreg_core::plan::{self, Cached, Progress, SearchNode, Step, Waiting};
+use critreg_core::task::{Arguments, AtomSet, GroundAtom, GroundOperator, OperatorId};
 
 /// Most atoms of `:init`.
 pub(crate) const MAX_FACTS: usize = 512;

@@ -3,8 +3,8 @@
 use crate::planner_callbacks::critreg_ground;
 use core::ffi::c_char;
 use critreg_core::Error;
-use critreg_core::domain::pddl::{MAX_ACTIONS, MAX_OBJECTS, MAX_PREDICATES, Problem};
-use critreg_core::domain::{GroundAtom, GroundOperator, ObjectId};
+use critreg_core::pddl::{MAX_ACTIONS, MAX_OBJECTS, MAX_PREDICATES, Problem};
+use critreg_core::task::{GroundAtom, GroundOperator, ObjectId};
 
 /// The names of predicates, actions and objects, ended by NUL, in memory of the
 /// planner.

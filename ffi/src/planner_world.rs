@@ -11,9 +11,10 @@ use crate::status::{CRITREG_EMPTY_REGION, Failure, Fallible, stop_unless_ok};
 use core::cell::Cell;
 use core::ffi::c_void;
 use critreg_core::Error;
-use critreg_core::domain::{Atoms, GroundAtom, GroundOperator, MAX_PARAMETERS, Parameters};
+use critreg_core::domain::MAX_PARAMETERS;
 use critreg_core::plan::{Advice, Draw, Drawn, Guide, ReasonId, Sampler, Skeleton, World};
 use critreg_core::random::uniform_in;
+use critreg_core::task::{Atoms, GroundAtom, GroundOperator, Parameters};
 use rand_core::Rng;
 
 /// The program, with what it is asked in: names and ranges of its PDDL texts.

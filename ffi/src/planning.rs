@@ -11,9 +11,9 @@ use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::structs::{self, Versioned};
 use core::ffi::c_void;
 use critreg_core::Error;
-use critreg_core::domain::AtomSet;
 use critreg_core::plan::{AbstractTask, HeuristicMemory, Memory, Planner, SearchMemory};
 use critreg_core::random::generator;
+use critreg_core::task::AtomSet;
 
 /// Plans from a state: first which operators, then with which parameters.
 ///

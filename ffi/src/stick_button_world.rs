@@ -7,10 +7,8 @@ use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::stick_button::{all_finite, environment_of};
 use core::ffi::c_void;
 use core::fmt::Write as _;
-use critreg_core::domain::{
-    Arguments, Environment, MAX_ARGUMENTS, ObjectId, State, TypeId, rollout,
-};
 use critreg_core::env::stick_button::{StickButton, World};
+use critreg_core::task::{Arguments, Environment, MAX_ARGUMENTS, ObjectId, State, TypeId, rollout};
 use heapless::{String, Vec};
 
 /// Runs an operator of the environment: a critreg_execute for critreg_callbacks.

@@ -1,13 +1,13 @@
 //! How long planning takes: `cargo bench --bench planning`.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use critreg::domain::Task;
 use critreg::env::stick_button::StickButton;
-use critreg::plan::skill::{Informed, Training};
 use critreg::plan::{
     Conclusion, Config, Guide, Metrics, Planner, Sampler, Search, Simulated, Unguided,
 };
 use critreg::random::generator;
+use critreg::skill::{Informed, Training};
+use critreg::task::Task;
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::ideal::Ideal;
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, learn};

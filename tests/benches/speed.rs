@@ -1,11 +1,12 @@
 //! How long the inner loops take: `cargo bench`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use critreg::domain::{Environment, PointSet, Scene};
+use critreg::domain::{PointSet, Scene};
 use critreg::grammar::{Features, Hypotheses};
 use critreg::learn::{Learner, Problem};
 use critreg::random::generator;
 use critreg::region::Region;
+use critreg::task::Environment;
 use critreg_tests::pick;
 use critreg_tests::room::Room;
 use std::hint::black_box;

@@ -2,9 +2,9 @@
 //!
 //! The readers panic on damaged data: they serve tests only.
 
-use critreg::domain::State;
 use critreg::env::stick_button::World;
 use critreg::geometry::{Circle, Rectangle};
+use critreg::task::State;
 use std::str::{FromStr, SplitWhitespace};
 
 /// One recorded step.

@@ -2,13 +2,13 @@
 //! chance.
 
 use critreg::Error;
-use critreg::domain::{
-    Arguments, Attribute, Controller, ControllerId, Dimension, Environment, Failure, GroundAtom,
-    LiftedAtom, Naming, ObjectId, ObjectType, Operator, Predicate, PredicateId, State, Task,
-    Terminal, TypeId, always,
-};
-use critreg::plan::skill::{Describe, Description};
+use critreg::domain::{Attribute, Dimension};
 use critreg::random::uniform_in;
+use critreg::skill::{Describe, Description};
+use critreg::task::{
+    Arguments, Controller, ControllerId, Environment, Failure, GroundAtom, LiftedAtom, Naming,
+    ObjectId, ObjectType, Operator, Predicate, PredicateId, State, Task, Terminal, TypeId, always,
+};
 use rand_core::Rng;
 
 /// A lot is drawn from an urn with a number, the seed. Whether it wins follows from a

@@ -1,12 +1,13 @@
 //! Picking the stick, the learning problem of the thesis (6.3), for host programs.
 
 use critreg::Error;
-use critreg::domain::{Domain, State};
+use critreg::domain::Domain;
 use critreg::env::stick_button::{ROBOT, STICK, StickButton};
 use critreg::learn::{Algorithm1, Answer, Config, Learner, Problem, learn_region};
-use critreg::plan::skill::Scope;
 use critreg::random::generator;
 use critreg::region::Theta;
+use critreg::skill::Scope;
+use critreg::task::State;
 
 use crate::room::Room;
 

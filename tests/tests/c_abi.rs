@@ -4,9 +4,9 @@
 #[path = "../c/support.rs"]
 mod support;
 
-use critreg::domain::Environment;
 use critreg::plan::{Conclusion, Config, Planner, Unguided};
 use critreg::random::generator;
+use critreg::task::Environment;
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::{Grounding, Room};
 use std::collections::BTreeSet;

@@ -1,15 +1,15 @@
 //! The stick-button environment against recordings of the Predicators framework.
 
-use critreg::domain::{
-    Atoms, Ending, Environment, GroundAtom, GroundOperator, ObjectId, Operator, State,
-    ground_operators, rollout, try_operator,
-};
 use critreg::env::stick_button::{
     BUTTON_TYPE, HOLDER_WIDTH, MAX_BUTTONS, PRESSED, ROBOT, STICK, STICK_PRESS_BUTTON, STICK_WIDTH,
     StickButton, UPRIGHT, World, ZONE_HEIGHT,
 };
 use critreg::geometry::{Circle, Frame2, Intersects, Rectangle, distance};
 use critreg::random::generator;
+use critreg::task::{
+    Atoms, Ending, Environment, GroundAtom, GroundOperator, ObjectId, Operator, State,
+    ground_operators, rollout, try_operator,
+};
 use critreg_tests::data::{self, Shape};
 
 /// The largest difference of two floats that still counts as the same: sine and

@@ -1,12 +1,12 @@
 //! The blocks against recordings of the Predicators framework, and what their task
 //! generator promises.
 
-use critreg::domain::{Environment, Failure, ObjectId, State, Task};
 use critreg::env::blocks::{
     Action, BLOCK_SIZE, BLOCK_TYPE, Block, Blocks, MAX_BLOCKS, ON, ON_TABLE, REACH_X, REACH_Y,
     SPACING, TABLE_HEIGHT, World,
 };
 use critreg::random::generator;
+use critreg::task::{Environment, Failure, ObjectId, State, Task};
 use critreg_tests::golden::{BLOCKS, Counts, replay};
 use std::ops::RangeInclusive;
 

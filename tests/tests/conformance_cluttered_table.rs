@@ -1,15 +1,15 @@
 //! The cluttered tables against recordings of the Predicators framework, and what
 //! their task generators and samplers promise.
 
-use critreg::domain::{
-    Environment, Failure, GroundAtom, ObjectId, OperatorId, State, Task, Verdict, try_operator,
-};
 use critreg::env::cluttered_table::{
     Action, CAN_RADIUS, CAN_TYPE, ClutteredTable, ClutteredTablePlace, FIRST_CAN, HOLDING,
     MAX_CANS, TRASH, cans,
 };
 use critreg::geometry::distance;
 use critreg::random::generator;
+use critreg::task::{
+    Environment, Failure, GroundAtom, ObjectId, OperatorId, State, Task, Verdict, try_operator,
+};
 use critreg_tests::golden::{CLUTTERED_TABLE, CLUTTERED_TABLE_PLACE, Counts, replay};
 
 const SECOND_CAN: ObjectId = ObjectId(1);
@@ -115,7 +115,7 @@ fn check_clutter(task: &Task, count: usize) {
 fn hold_the_first() -> GroundAtom {
     GroundAtom {
         predicate: HOLDING,
-        objects: critreg::domain::Arguments::new([FIRST_CAN]).unwrap(),
+        objects: critreg::task::Arguments::new([FIRST_CAN]).unwrap(),
     }
 }
 

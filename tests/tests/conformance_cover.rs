@@ -1,15 +1,15 @@
 //! The cover environments against recordings of the Predicators framework, and what
 //! their task generators and samplers promise.
 
-use critreg::domain::{
-    Environment, Failure, ObjectId, Operator, OperatorId, Parameters, State, Task, Verdict,
-    try_operator,
-};
 use critreg::env::cover::{
     BLOCKS, BUMPY_REGION, Block, Cover, CoverRegrasp, RegionalBumpyCover, TARGETS, Target, blocks,
     targets,
 };
 use critreg::random::{Generator, generator};
+use critreg::task::{
+    Environment, Failure, ObjectId, Operator, OperatorId, Parameters, State, Task, Verdict,
+    try_operator,
+};
 use critreg_tests::golden::{self, Counts, Recording, replay};
 
 #[test]

@@ -1,14 +1,14 @@
 //! What the guide judges of operators that come after others: in the state that is
 //! expected there, and until parameters are chosen again.
 
-use critreg::domain::{AtomSet, Environment, GroundOperator, ObjectId, State, Task, try_operator};
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace, GRASP, cans};
 use critreg::env::cover::{BLOCKS, Block, Cover, TARGETS, Target};
 use critreg::learn::version_space::Config as LearnerConfig;
-use critreg::plan::skill::{Describe, Informed, Skills, Training};
 use critreg::plan::{Advice, Guide, Skeleton};
 use critreg::random::generator;
 use critreg::region::Region;
+use critreg::skill::{Describe, Informed, Skills, Training};
+use critreg::task::{AtomSet, Environment, GroundOperator, ObjectId, State, Task, try_operator};
 use critreg_tests::golden::{CLUTTERED_TABLE, CLUTTERED_TABLE_PLACE, COVER, Recording};
 use critreg_tests::plan::Grounding;
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, learn_from};

@@ -1,8 +1,8 @@
 //! Where whether an action works is a matter of chance, nothing is learned.
 
-use critreg::domain::{Environment, State, try_operator};
-use critreg::plan::skill::Training;
 use critreg::random::{generator, uniform};
+use critreg::skill::Training;
+use critreg::task::{Environment, State, try_operator};
 use critreg_tests::lottery::Lottery;
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom};
 use critreg_tests::report;

@@ -1,13 +1,13 @@
 //! The planner against recordings of the Predicators framework and brute force.
 
 use critreg::Error;
-use critreg::domain::{GroundOperator, OperatorId, State, Task};
 use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, StickButton};
 use critreg::plan::{
     Advice, Conclusion, Config, Draw, Drawn, Guide, Planned, Planner, ReasonId, Sampler, Simulated,
     Skeleton, Spent, Unguided,
 };
 use critreg::random::{generator, uniform};
+use critreg::task::{GroundOperator, OperatorId, State, Task};
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::ideal::{Ideal, NO_GRASP, OUT_OF_REACH};
 use critreg_tests::plan::lower_half::LowerHalf;

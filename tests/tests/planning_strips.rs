@@ -1,13 +1,13 @@
 //! Heuristics, search and regression against brute force on small random tasks.
 
 use critreg::Error;
-use critreg::domain::{Arguments, AtomSet, GroundOperator, OperatorId};
 use critreg::plan::{
     AbstractTask, Advice, Cached, Config, Estimate, Estimator, Guide, Heuristic, HeuristicMemory,
     Metrics, Progress, ReasonId, Search, SearchMemory, SearchNode, Skeleton, Unguided, Waiting,
     links,
 };
 use critreg::random::generator;
+use critreg::task::{Arguments, AtomSet, GroundOperator, OperatorId};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::collections::BTreeSet;

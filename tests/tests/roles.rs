@@ -1,11 +1,12 @@
 //! Who fills the roles of a domain text, and what controllers are seen to change.
 
 use critreg::Error;
-use critreg::domain::{
-    Attribute, Controller, Dimension, Domain, Environment, Failure, Naming, ObjectId, ObjectType,
-    Operator, Predicate, PredicateId, State, TypeId,
+use critreg::domain::{Attribute, Dimension, Domain};
+use critreg::skill::{Binding, Changes, Scope};
+use critreg::task::{
+    Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, Predicate,
+    PredicateId, State, TypeId,
 };
-use critreg::plan::skill::{Binding, Changes, Scope};
 
 /// A world in which nothing happens.
 struct Still;

@@ -1,20 +1,18 @@
 //! Where skills are tried, and with which parameters.
 
 use critreg::Error;
-use critreg::domain::{
-    Controller, ControllerId, Environment, Failure, GroundOperator, Naming, ObjectId, ObjectType,
-    Operator, Predicate, State, Task, Terminal, TypeId, always, try_operator,
-};
 use critreg::env::cluttered_table::{ClutteredTable, GRASP, cans};
 use critreg::env::cover::{BLOCKS, Block, Cover, ROBOT, TARGETS, Target};
 use critreg::learn::Answer;
 use critreg::learn::version_space::Config as LearnerConfig;
-use critreg::plan::skill::{
-    Changes, Describe, Description, Informed, Setting, Skill, Skills, Training,
-};
 use critreg::plan::{Draw, Drawn, Sampler, Skeleton};
 use critreg::random::{generator, uniform_in};
 use critreg::region::Region;
+use critreg::skill::{Changes, Describe, Description, Informed, Setting, Skill, Skills, Training};
+use critreg::task::{
+    Controller, ControllerId, Environment, Failure, GroundOperator, Naming, ObjectId, ObjectType,
+    Operator, Predicate, State, Task, Terminal, TypeId, always, try_operator,
+};
 use critreg_tests::plan::Grounding;
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom};
 

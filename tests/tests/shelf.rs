@@ -1,19 +1,19 @@
 //! The shelf environment: closed forms of its feasible sets against the simulator, and
 //! what its generator promises.
 
-use critreg::domain::{
-    Environment, ObjectId, OperatorId, Outcome, PredicateId, State, Task, Verdict, try_operator,
-};
 use critreg::env::shelf::{
     BOX, BOX_DEPTH, BOX_WIDTH, FINGER_LENGTH, HAND_EMPTY, HAND_LENGTH, HAND_THICKNESS, HAND_WIDTH,
     HOLDING, IN_SHELF, ON_TABLE, OPENING, ROBOT, SHELF, SHELF_DEPTH, SHELF_TOP, SWIVEL, Shelf,
     World,
 };
 use critreg::learn::version_space::Config as LearnerConfig;
-use critreg::plan::skill::{Informed, Scope, Skill, Skills, Training};
 use critreg::plan::{Conclusion, Config, Metrics, Planner};
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
+use critreg::skill::{Informed, Scope, Skill, Skills, Training};
+use critreg::task::{
+    Environment, ObjectId, OperatorId, Outcome, PredicateId, State, Task, Verdict, try_operator,
+};
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, learn_from};
 use critreg_tests::plan::{Grounding, Room};
 use std::f64::consts::FRAC_PI_2;
@@ -273,7 +273,7 @@ fn what_holds_before_between_and_after() {
         let all = [HAND_EMPTY, HOLDING, IN_SHELF, ON_TABLE];
         all.map(|PredicateId(id)| {
             let predicate = &Shelf.predicates()[usize::from(id)];
-            let of_type = |kind: &critreg::domain::TypeId| state.of_type(*kind).next().unwrap();
+            let of_type = |kind: &critreg::task::TypeId| state.of_type(*kind).next().unwrap();
             let objects: Vec<_> = predicate.arguments.iter().map(of_type).collect();
             (predicate.classifier)(&Shelf, state, &objects)
         })

@@ -1,17 +1,17 @@
 //! Learned skills: regions, planning with them, and why something cannot work.
 
-use critreg::domain::{Environment, GroundOperator, ObjectId, State, Task, try_operator};
 use critreg::env::stick_button::{
     BUTTON_TYPE, FIRST_BUTTON, HOLDER, PICK_STICK, PLACE_STICK, PRESSED, ROBOT, ROBOT_PRESS_BUTTON,
     STICK, STICK_PRESS_BUTTON, StickButton, World,
 };
-use critreg::plan::skill::{Describe, Informed, Skills, Training};
 use critreg::plan::{
     Advice, Conclusion, Config, Draw, Drawn, Guide, Metrics, Planned, Planner, Sampler, Search,
     Simulated, Skeleton, Spent, Unguided,
 };
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
+use critreg::skill::{Describe, Informed, Skills, Training};
+use critreg::task::{Environment, GroundOperator, ObjectId, State, Task, try_operator};
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, learn, tasks};
 use critreg_tests::plan::{Grounding, Room, record};

@@ -1,14 +1,7 @@
-//! The problem setting of thesis 4.1.1, in two halves.
-//!
-//! *What a planner knows*, for learning: a [`Domain`] has types, objects with
-//! attributes, constants, the parameters of an action, and points. [`Node`]s are
-//! terms over it; a [`Scene`] puts an instance into them, a [`Sample`] parameters.
-//!
-//! *What a planner does*: an [`Environment`] has a simulator, [`Predicate`]s,
-//! [`Operator`]s (Definition 2) and [`Controller`]s; a [`State`] is abstracted to
-//! the [`AtomSet`] of what holds in it (Definition 1), and [`try_operator`] rolls
-//! an operator out and looks at its effects. Operators and problems can also be
-//! given as text, in PDDL: see [`pddl`].
+//! What a planner knows of an action (thesis 4.1.1), for learning: a [`Domain`] has
+//! types, objects with attributes, constants, the parameters of the action, and points.
+//! [`Node`]s are terms over it; a [`Scene`] puts an instance into them, a [`Sample`]
+//! parameters. What a planner does with its world is in [`mod@crate::task`].
 //!
 //! # The domain text
 //!
@@ -76,43 +69,24 @@
 //! Over no members the least value is infinite and the greatest minus infinite, so
 //! that "at least" and "at most" hold of nothing.
 
-mod abstraction;
 mod algebra;
-mod atom;
-mod controller;
 mod description;
 mod dimension;
-mod environment;
 mod expression;
 mod group;
-mod operator;
-pub mod pddl;
 mod point_set;
 mod sample;
 mod scene;
 mod schema;
-mod state;
-mod task;
-mod trial;
 mod turns;
 
 pub(crate) use description::CHECKSUM;
 pub(crate) use expression::{TermError, copy, intern, is_same};
 
-pub use abstraction::{AtomSet, Atoms, MAX_ATOMS};
 pub use algebra::{Algebra, Arithmetic, Curve, Line, Measure, Range};
-pub use atom::{
-    Arguments, GroundAtom, Groundings, LiftedAtom, MAX_ARGUMENTS, Predicate, PredicateId,
-};
-pub use controller::{
-    Controller, ControllerId, Ending, OfAction, Parameters, Rollout, Terminal, always, rollout,
-    rollout_from,
-};
 pub use dimension::Dimension;
-pub use environment::{Environment, Failure};
 pub use expression::{Coordinate, Dependence, MAX_DEPTH, Metric, Node, NodeId};
 pub use group::{Extreme, Group, MAX_GROUPS, Member, Relation};
-pub use operator::{GroundOperator, Operator, OperatorId, ground_operators};
 pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};
@@ -121,6 +95,3 @@ pub use schema::{
     MAX_OBJECTS, MAX_PARAMETERS, MAX_POINTS, MAX_SHAPES, MAX_TYPES, Object, Parameter, Point,
     Shape, Type,
 };
-pub use state::{MAX_STATE_VALUES, Naming, ObjectId, ObjectName, ObjectType, State, TypeId};
-pub use task::{MAX_GOAL_ATOMS, Task};
-pub use trial::{Outcome, Verdict, try_operator, try_operator_from};

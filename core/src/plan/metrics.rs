@@ -2,7 +2,7 @@
 
 use super::config::Config;
 use super::guide::ReasonId;
-use crate::domain::OperatorId;
+use crate::task::OperatorId;
 
 /// Counts of one planning. All are there however it ended.
 #[derive(Debug, Default)]

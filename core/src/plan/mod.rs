@@ -14,14 +14,14 @@
 //! | [`Heuristic`] | LM-cut, h-max, h-add |
 //! | [`Guide`] | advice to the search: keep, postpone or prune a prefix |
 //! | [`Refiner`] | backtracking over the steps of a skeleton |
-//! | [`World`], [`Sampler`] | what is planned in, and where parameters come from; [`Simulated`] is both for an [`Environment`](crate::domain::Environment) |
+//! | [`World`], [`Sampler`] | what is planned in, and where parameters come from; [`Simulated`] is both for an [`Environment`](crate::task::Environment) |
 //! | [`Planner`] | all together |
-//! | [`skill`] | learned regions as a sampler and a guide |
+//! | [`crate::skill`] | learned regions as a sampler and a guide |
 //!
 //! Learned knowledge enters in two places. A sampler draws from a region instead of
 //! everything, and sees the later steps, which may narrow what is good now. A guide
 //! sees, before anything is drawn, that a prefix cannot work. Both give a reason,
-//! so that there is an answer to "why was no plan found?". [`skill`] is both, for what
+//! so that there is an answer to "why was no plan found?". [`crate::skill`] is both, for what
 //! was learned of an environment.
 //!
 //! Knowledge may be wrong, so it has until [`Config::patience`] ends. Then planning
@@ -32,7 +32,7 @@
 //!
 //! ```
 //! # use critreg::plan::{Cached, HeuristicMemory, SearchNode, Progress, SearchMemory, Step, Waiting};
-//! use critreg::domain::{Atoms, Environment, GroundOperator, ground_operators};
+//! use critreg::task::{Atoms, Environment, GroundOperator, ground_operators};
 //! use critreg::env::stick_button::StickButton;
 //! use critreg::plan::{AbstractTask, Config, Memory, Conclusion, Planner, Simulated, Unguided};
 //! use critreg::random::generator;
@@ -87,7 +87,6 @@ mod planner;
 mod refine;
 mod search;
 mod skeleton;
-pub mod skill;
 mod world;
 
 pub use config::Config;
@@ -101,7 +100,7 @@ pub use search::{MAX_SKELETON, Search, SearchMemory, SearchNode};
 pub use skeleton::Skeleton;
 pub use world::{Draw, Drawn, Sampler, Simulated, World};
 
-use crate::domain::{AtomSet, GroundOperator};
+use crate::task::{AtomSet, GroundOperator};
 
 /// A task in the abstract (a STRIPS problem). Where its ground operators come from
 /// does not matter.

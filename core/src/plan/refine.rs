@@ -4,7 +4,7 @@ use super::config::Config;
 use super::metrics::Metrics;
 use super::skeleton::Skeleton;
 use super::world::{Draw, Drawn, Sampler, World};
-use crate::domain::{AtomSet, Parameters};
+use crate::task::{AtomSet, Parameters};
 use rand_core::Rng;
 
 /// A step of a plan.

@@ -7,9 +7,9 @@ use super::heuristic::{Estimate, Estimator, HeuristicMemory};
 use super::metrics::Metrics;
 use super::open::{OpenList, Waiting};
 use super::skeleton::Skeleton;
-use crate::domain::AtomSet;
 use crate::error::Error;
 use crate::table::Table;
+use crate::task::AtomSet;
 use heapless::Vec;
 use rand_core::Rng;
 

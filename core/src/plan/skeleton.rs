@@ -1,6 +1,6 @@
 //! Plan skeletons.
 
-use crate::domain::GroundOperator;
+use crate::task::GroundOperator;
 
 /// A sequence of ground operators without their continuous parameters: a plan
 /// skeleton, or a prefix of one.

@@ -2,8 +2,8 @@
 
 use super::guide::ReasonId;
 use super::skeleton::Skeleton;
-use crate::domain::{Atoms, Environment, GroundOperator, Parameters, Rollout, State, rollout};
 use crate::error::Error;
+use crate::task::{Atoms, Environment, GroundOperator, Parameters, Rollout, State, rollout};
 use rand_core::Rng;
 
 /// Where operators can be tried: a simulator with its predicates.

@@ -1,13 +1,13 @@
 //! Planning with the core: a skill is learned, and planned with.
 
 use critreg::Error;
-use critreg::domain::{Atoms, GroundOperator, State, Task, ground_operators};
+use critreg::task::{Atoms, GroundOperator, State, Task, ground_operators};
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
 use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
 use critreg::env::stick_button::StickButton;
-use critreg::plan::skill::{Changes, Describe, Informed, Skill, Skills, Training, TrainingMemory};
+use critreg::skill::{Changes, Describe, Informed, Skill, Skills, Training, TrainingMemory};
 use critreg::plan::{AbstractTask, Conclusion, Config, Memory, Planner, ReasonId, Simulated};
 use critreg::random::generator;
 use critreg::text::TextBuffer;

@@ -12,7 +12,7 @@ mod replay;
 pub use replay::{Counts, replay};
 
 use crate::data::{lines, next};
-use critreg::domain::{Environment, Task};
+use critreg::task::{Environment, Task};
 use records::{States, ground_atom};
 use std::str::SplitWhitespace;
 

@@ -2,7 +2,7 @@
 
 use super::Recording;
 use crate::data::{lines, next};
-use critreg::domain::{Arguments, Environment, GroundAtom, ObjectId, PredicateId, State, TypeId};
+use critreg::task::{Arguments, Environment, GroundAtom, ObjectId, PredicateId, State, TypeId};
 use std::str::{FromStr, SplitWhitespace};
 
 /// One recorded step.

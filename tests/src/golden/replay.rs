@@ -2,7 +2,7 @@
 
 use super::Recording;
 use super::records::{NOT_RECORDED, Start, StepOutcome, Trial, ground_atom, object};
-use critreg::domain::{
+use critreg::task::{
     Atoms, Environment, Failure, GroundAtom, LiftedAtom, ObjectId, Operator, State, Verdict,
     try_operator,
 };

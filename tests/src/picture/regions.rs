@@ -3,10 +3,10 @@
 use crate::data::to_state;
 use crate::report::{Scenario, VersionSpaceRoom, chain, pick};
 use critreg::Error;
-use critreg::domain::State;
 use critreg::learn::version_space::{Capacity, Config};
 use critreg::learn::{Problem, VersionSpace, learn_region};
 use critreg::region::Region;
+use critreg::task::State;
 
 /// The seed that the regions are learned with.
 const SEED: u64 = 1;

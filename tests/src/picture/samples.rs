@@ -5,10 +5,10 @@ use crate::pick::ENVIRONMENT;
 use crate::plan::record::{self, Run};
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn};
 use crate::plan::{Grounding, Room};
-use critreg::domain::State;
 use critreg::env::stick_button::StickButton;
-use critreg::plan::skill::{Informed, Training};
 use critreg::plan::{Conclusion, Config, Guide, Planner, Sampler, Simulated, Unguided};
+use critreg::skill::{Informed, Training};
+use critreg::task::State;
 use rand_pcg::Pcg64;
 
 /// The seed that the regions are learned with.

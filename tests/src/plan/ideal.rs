@@ -3,13 +3,13 @@
 
 use crate::pick::ENVIRONMENT;
 use critreg::Error;
-use critreg::domain::{ControllerId, Environment, GroundOperator, ObjectId, State};
 use critreg::env::stick_button::{
     FIRST_BUTTON, HOLDER_WIDTH, PICK_STICK, PLACE_STICK, ROBOT_PRESS_BUTTON, ROBOT_RADIUS,
     STICK_PRESS_BUTTON, STICK_WIDTH, StickButton, TIP_WIDTH, World, ZONE_HEIGHT,
 };
 use critreg::plan::{Advice, Draw, Drawn, Guide, ReasonId, Sampler, Simulated, Skeleton};
 use critreg::random::uniform_in;
+use critreg::task::{ControllerId, Environment, GroundOperator, ObjectId, State};
 use rand_core::Rng;
 
 /// How many reasons there are.

@@ -2,9 +2,9 @@
 
 use crate::pick::ENVIRONMENT;
 use critreg::Error;
-use critreg::domain::{Environment, State};
 use critreg::env::stick_button::{PICK_STICK, StickButton};
 use critreg::plan::{Draw, Drawn, Sampler, Simulated};
+use critreg::task::{Environment, State};
 use rand_core::Rng;
 
 /// Draws grasps from mu <= 0.5, all else as the original sampler.

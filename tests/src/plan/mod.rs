@@ -6,11 +6,11 @@ pub mod record;
 pub mod skills;
 
 use critreg::Error;
-use critreg::domain::{AtomSet, Atoms, Environment, GroundOperator, State, Task, ground_operators};
 use critreg::plan::{
     AbstractTask, Cached, HeuristicMemory, Memory, Progress, SearchMemory, SearchNode, Simulated,
     Step, Waiting,
 };
+use critreg::task::{AtomSet, Atoms, Environment, GroundOperator, State, Task, ground_operators};
 
 /// Most ground operators: those of ten buttons.
 pub const MAX_OPERATORS: usize = 256;

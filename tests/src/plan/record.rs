@@ -1,8 +1,8 @@
 //! The recorded runs of the planner.
 
 use crate::data::{self, lines, next};
-use critreg::domain::{Arguments, GroundAtom, State, Task};
 use critreg::env::stick_button::{BUTTON_TYPE, PRESSED};
+use critreg::task::{Arguments, GroundAtom, State, Task};
 use rand_pcg::Pcg64;
 use std::collections::HashMap;
 

@@ -4,13 +4,13 @@ use super::{MAX_OPERATORS, Room};
 use crate::pick::ENVIRONMENT;
 use crate::report::VersionSpaceRoom;
 use critreg::Error;
-use critreg::domain::{GroundOperator, Task};
 use critreg::learn::version_space::Capacity;
-use critreg::plan::skill::{
-    Candidate, Changes, Describe, Learned, Setting, Skill, Skills, Training, TrainingMemory,
-};
 use critreg::random::generator;
 use critreg::region::Theta;
+use critreg::skill::{
+    Candidate, Changes, Describe, Learned, Setting, Skill, Skills, Training, TrainingMemory,
+};
+use critreg::task::{GroundOperator, Task};
 use std::ops::RangeInclusive;
 
 /// The memory of skills.

@@ -7,13 +7,13 @@ use crate::lottery::Lottery;
 use crate::plan::Room;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn_from};
 use critreg::Error;
-use critreg::domain::{ControllerId, Environment, Task};
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
 use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
-use critreg::plan::skill::{Describe, Learned, Skill, Skills, Training};
 use critreg::random::{Generator, generator};
+use critreg::skill::{Describe, Learned, Skill, Skills, Training};
+use critreg::task::{ControllerId, Environment, Task};
 
 /// Test tasks of each recorded seed.
 const TASKS: usize = 30;

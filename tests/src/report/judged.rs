@@ -1,11 +1,12 @@
 //! How good the region of a skill is on tasks that it was not learned from.
 
 use crate::plan::skills::TrainingRoom;
-use critreg::domain::{Environment, MAX_PARAMETERS, Task};
+use critreg::domain::MAX_PARAMETERS;
 use critreg::learn::Answer;
-use critreg::plan::skill::{Describe, Setting, Skills};
 use critreg::random::{Generator, generator, uniform, uniform_in};
 use critreg::region::Theta;
+use critreg::skill::{Describe, Setting, Skills};
+use critreg::task::{Environment, Task};
 use std::fmt;
 
 /// Settings to judge in, and parameters in each of them.

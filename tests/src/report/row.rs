@@ -1,9 +1,9 @@
 //! A row of the table: what planning took.
 
 use crate::plan::{Grounding, Room};
-use critreg::domain::{Environment, State, Task};
-use critreg::plan::skill::{Describe, Informed, Skills};
 use critreg::plan::{Conclusion, Config, Guide, Planned, Planner, Sampler, Simulated, Unguided};
+use critreg::skill::{Describe, Informed, Skills};
+use critreg::task::{Environment, State, Task};
 use rand_core::Rng;
 use std::time::Instant;
 

@@ -2,7 +2,8 @@
 
 use super::wrong::{domain_with, problem_with, said_of_domain, said_of_problem};
 use critreg::Error;
-use critreg::domain::{GroundAtom, MAX_ARGUMENTS, MAX_GOAL_ATOMS, pddl};
+use critreg::pddl;
+use critreg::task::{GroundAtom, MAX_ARGUMENTS, MAX_GOAL_ATOMS};
 
 /// A table that has no room for one more item than it should have.
 struct Full {
@@ -140,7 +141,7 @@ fn full_tables_of_a_problem() {
     }
 }
 
-/// An [`AtomSet`](critreg::domain::AtomSet) has room for 128.
+/// An [`AtomSet`](critreg::task::AtomSet) has room for 128.
 #[test]
 fn too_many_ground_atoms() {
     let domain = "(:predicates (p ?x) (q ?x) (r) (s ?x))

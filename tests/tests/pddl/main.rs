@@ -7,12 +7,12 @@ mod random;
 mod wrong;
 
 use critreg::Error;
-use critreg::domain::{
-    AtomSet, Atoms, Environment, GroundAtom, GroundOperator, OperatorId, State, ground_operators,
-    pddl,
-};
 use critreg::env::stick_button::StickButton;
+use critreg::pddl;
 use critreg::random::generator;
+use critreg::task::{
+    AtomSet, Atoms, Environment, GroundAtom, GroundOperator, OperatorId, State, ground_operators,
+};
 use std::collections::BTreeSet;
 
 const STICK_BUTTON: [&str; 2] = [

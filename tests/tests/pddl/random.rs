@@ -1,7 +1,8 @@
 //! Properties over random problems and damaged texts.
 
 use super::{ALL, BLOCKS, DELIVERY, GRIPPER, ground, oracle};
-use critreg::domain::{GroundAtom, pddl};
+use critreg::pddl;
+use critreg::task::GroundAtom;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::{Index, subsequence};

@@ -1,6 +1,7 @@
 //! What is said about wrong texts, and where.
 
-use critreg::domain::{GroundAtom, pddl};
+use critreg::pddl;
+use critreg::task::GroundAtom;
 
 const DECLARED: &str = "(:types u - t t) (:constants c - u e)\n(:predicates (p ?x - t) (q))";
 

@@ -2,8 +2,8 @@
 
 use super::world::centre;
 use super::{Action, BLOCK_SIZE, BLOCK_TYPE, Blocks, REACH_X, REACH_Y, ROBOT_TYPE, TABLE_HEIGHT};
-use crate::domain::{Controller, ControllerId, ObjectId, State, Terminal};
 use crate::real::Real;
+use crate::task::{Controller, ControllerId, ObjectId, State, Terminal};
 
 /// `Pick(robot, block)`: closes the fingers at the block.
 pub const PICK: ControllerId = ControllerId(0);

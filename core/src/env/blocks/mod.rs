@@ -24,7 +24,7 @@
 //! that holds nothing) is a [`Failure`] without a culprit.
 //!
 //! ```
-//! use critreg::domain::{Environment, try_operator};
+//! use critreg::task::{Environment, try_operator};
 //! use critreg::env::blocks::{BLOCK_TYPE, Blocks, ROBOT_TYPE};
 //! use critreg::random::generator;
 //!
@@ -55,9 +55,9 @@ pub use predicates::{CLEAR, GRIPPER_OPEN, HOLDING, ON, ON_TABLE};
 pub use tasks::MAX_BLOCKS;
 pub use world::{Block, World};
 
-use crate::domain::{
-    Attribute, Controller, Dimension, Environment, Failure, Naming, ObjectType, Operator,
-    Predicate, State, TypeId,
+use crate::domain::{Attribute, Dimension};
+use crate::task::{
+    Controller, Environment, Failure, Naming, ObjectType, Operator, Predicate, State, TypeId,
 };
 
 /// Length of a block's edges.

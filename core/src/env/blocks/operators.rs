@@ -3,7 +3,7 @@
 use super::{
     BLOCK_TYPE, CLEAR, GRIPPER_OPEN, HOLDING, ON, ON_TABLE, PICK, PUT_ON_TABLE, ROBOT_TYPE, STACK,
 };
-use crate::domain::{LiftedAtom, Operator};
+use crate::task::{LiftedAtom, Operator};
 
 /// The block that moves is the first parameter of every operator.
 const CLEAR_ABOVE: LiftedAtom<'static> = LiftedAtom::new(CLEAR, &[0]);

@@ -2,7 +2,7 @@
 
 use super::world::{World, is_on, is_on_table};
 use super::{BLOCK_TYPE, Blocks, ROBOT_TYPE};
-use crate::domain::{ObjectId, Predicate, PredicateId, State};
+use crate::task::{ObjectId, Predicate, PredicateId, State};
 
 /// `Clear(block)`: the block is not held, and no block lies on it.
 pub const CLEAR: PredicateId = PredicateId(0);

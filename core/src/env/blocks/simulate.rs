@@ -2,7 +2,7 @@
 
 use super::world::{World, are_close, centre, is_free};
 use super::{Action, BLOCK_SIZE, Block, LIFT_HEIGHT, PICK_TOLERANCE, ROBOT_TYPE, TABLE_HEIGHT};
-use crate::domain::{Failure, ObjectId, State};
+use crate::task::{Failure, ObjectId, State};
 
 /// No block is to blame: the state is none of this environment, or the command no
 /// numbers.

@@ -1,7 +1,7 @@
 //! What can be said of the controllers, for learning when they work.
 
 use super::{Blocks, PUT_ON_TABLE};
-use crate::plan::skill::{Describe, Description};
+use crate::skill::{Describe, Description};
 
 static DESCRIPTIONS: [Description; 1] = [Description {
     own: PUT_ON_TABLE,

@@ -2,9 +2,9 @@
 
 use super::world::{Block, World, is_free};
 use super::{BLOCK_SIZE, BLOCK_TYPE, Blocks, ON, ON_TABLE, REACH_X, REACH_Y, TABLE_HEIGHT};
-use crate::domain::{Arguments, GroundAtom, State, Task};
 use crate::error::Error;
 use crate::random::{below, uniform, uniform_in};
+use crate::task::{Arguments, GroundAtom, State, Task};
 use core::ops::RangeInclusive;
 use heapless::Vec;
 use rand_core::Rng;
@@ -114,7 +114,7 @@ fn free_place<G: Rng>(others: &[[f64; 2]], rng: &mut G) -> Result<[f64; 2], Erro
 fn goal(
     piles: &Piles,
     initial: &State,
-) -> Result<Vec<GroundAtom, { crate::domain::MAX_GOAL_ATOMS }>, Error> {
+) -> Result<Vec<GroundAtom, { crate::task::MAX_GOAL_ATOMS }>, Error> {
     let mut goal = Vec::new();
     let mut before = None;
     for (block, is_lowest) in initial.of_type(BLOCK_TYPE).zip(piles) {

@@ -1,9 +1,9 @@
 //! A state read as what lies where.
 
 use super::{BLOCK_SIZE, BLOCK_TYPE, Blocks, ON_TOLERANCE, ROBOT_TYPE, SPACING, TABLE_HEIGHT};
-use crate::domain::{Environment, ObjectId, State};
 use crate::error::Error;
 use crate::real::Real;
+use crate::task::{Environment, ObjectId, State};
 
 /// What describes a block: x, y and z of its centre, held, and its colour's red, green
 /// and blue.

@@ -1,7 +1,7 @@
 //! The controllers. Each is one command, which the can does not influence.
 
 use super::{Action, CAN_TYPE};
-use crate::domain::{Controller, ControllerId, Environment, Terminal, always};
+use crate::task::{Controller, ControllerId, Environment, Terminal, always};
 
 /// `Grasp(can; start x, start y, end x, end y)`: one approach, to grasp.
 pub const GRASP: ControllerId = ControllerId(0);

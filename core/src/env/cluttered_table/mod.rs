@@ -31,7 +31,7 @@
 //! assertion (to grasp two cans at once) is a [`Failure`] without a culprit.
 //!
 //! ```
-//! use critreg::domain::{Environment, Failure, ObjectId, Verdict, try_operator};
+//! use critreg::task::{Environment, Failure, ObjectId, Verdict, try_operator};
 //! use critreg::env::cluttered_table::{ClutteredTablePlace, FIRST_CAN};
 //! use critreg::random::generator;
 //!
@@ -62,9 +62,10 @@ pub use controllers::{DUMP, GRASP, PLACE};
 pub use predicates::{HAND_EMPTY, HOLDING, UNTRASHED};
 pub use tasks::MAX_CANS;
 
-use crate::domain::{
-    Attribute, Controller, Dimension, Environment, Failure, Naming, ObjectId, ObjectType, Operator,
-    OperatorId, Parameters, Predicate, State, TypeId,
+use crate::domain::{Attribute, Dimension};
+use crate::task::{
+    Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, OperatorId,
+    Parameters, Predicate, State, TypeId,
 };
 use rand_core::Rng;
 

@@ -1,7 +1,7 @@
 //! The operators: grasping, and the two ways to get rid of a can.
 
 use super::{CAN_TYPE, HAND_EMPTY, HOLDING, UNTRASHED, controllers};
-use crate::domain::{LiftedAtom, Operator};
+use crate::task::{LiftedAtom, Operator};
 
 /// The can is the only parameter of every operator.
 const HELD: LiftedAtom<'static> = LiftedAtom::new(HOLDING, &[0]);

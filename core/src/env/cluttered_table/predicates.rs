@@ -1,7 +1,7 @@
 //! The predicates of both variants, in the order of their names.
 
 use super::{CAN_TYPE, Can, cans, is_held, is_untrashed};
-use crate::domain::{ObjectId, Predicate, PredicateId, State};
+use crate::task::{ObjectId, Predicate, PredicateId, State};
 
 /// `HandEmpty()`: no can is held.
 pub const HAND_EMPTY: PredicateId = PredicateId(0);

@@ -1,9 +1,9 @@
 //! The framework's own samplers.
 
 use super::{FIRST_CAN, GRASP, PLACE};
-use crate::domain::{ControllerId, Environment, ObjectId, OperatorId, Parameters, State};
 use crate::random::uniform;
 use crate::real::Real;
+use crate::task::{ControllerId, Environment, ObjectId, OperatorId, Parameters, State};
 use rand_core::Rng;
 
 /// Where approaches start when cans are placed.

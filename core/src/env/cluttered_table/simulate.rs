@@ -2,8 +2,8 @@
 
 use super::controllers::DUMP_COMMAND;
 use super::{Action, Can, TRASH, cans, is_held, is_untrashed};
-use crate::domain::{Failure, ObjectId, State};
 use crate::geometry::distance;
+use crate::task::{Failure, ObjectId, State};
 use core::f64::consts::FRAC_1_SQRT_2;
 
 /// No can is to blame: the state is none of these environments, or the command

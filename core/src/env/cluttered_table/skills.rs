@@ -1,7 +1,7 @@
 //! What can be said of the controllers, for learning when they work.
 
 use super::{ClutteredTable, ClutteredTablePlace, DUMP, GRASP, PLACE, UNTRASHED};
-use crate::plan::skill::{Describe, Description};
+use crate::skill::{Describe, Description};
 
 /// The end of an approach is left to the original sampler, which takes the can's centre.
 const GRASPING: Description = Description {

@@ -3,10 +3,10 @@
 use super::{
     CAN_RADIUS, CAN_TYPE, Can, ClutteredTable, ClutteredTablePlace, FIRST_CAN, HOLDING, TYPES,
 };
-use crate::domain::{Arguments, GroundAtom, State, Task};
 use crate::error::Error;
 use crate::geometry::distance;
 use crate::random::{uniform, uniform_in};
+use crate::task::{Arguments, GroundAtom, State, Task};
 use heapless::Vec;
 use rand_core::Rng;
 

@@ -3,12 +3,12 @@
 use super::controllers::{controller, parameters, sample_pick};
 use super::world::{Block, Rules, Target, blocks, targets};
 use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES_WITH_BUMPS, predicates};
-use crate::domain::{
+use crate::random::uniform_in;
+use crate::real::Real;
+use crate::task::{
     Controller, ControllerId, Environment, Failure, LiftedAtom, ObjectId, ObjectType, Operator,
     OperatorId, Parameters, Predicate, PredicateId, State,
 };
-use crate::random::uniform_in;
-use crate::real::Real;
 use rand_core::Rng;
 
 /// Where the bumpy region begins; it goes to the end of the table. A block is in it if

@@ -2,9 +2,9 @@
 
 use super::Action;
 use super::world::{Block, Target, around};
-use crate::domain::{Controller, Environment, Parameters, Terminal, TypeId, always};
 use crate::random::uniform_in;
 use crate::real::Real;
+use crate::task::{Controller, Environment, Parameters, Terminal, TypeId, always};
 use rand_core::Rng;
 
 /// Where one can click.

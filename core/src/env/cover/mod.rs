@@ -53,7 +53,7 @@
 //! nonetheless.
 //!
 //! ```
-//! use critreg::domain::{Environment, try_operator};
+//! use critreg::task::{Environment, try_operator};
 //! use critreg::env::cover::{BLOCKS, RegionalBumpyCover};
 //! use critreg::random::generator;
 //!
@@ -82,7 +82,8 @@ pub use plain::Cover;
 pub use regrasp::CoverRegrasp;
 pub use world::{Block, Target, blocks, targets};
 
-use crate::domain::{Attribute, Dimension, Naming, ObjectId, ObjectType, TypeId};
+use crate::domain::{Attribute, Dimension};
+use crate::task::{Naming, ObjectId, ObjectType, TypeId};
 
 /// Widths of the blocks.
 pub const BLOCK_WIDTHS: [f64; 2] = [0.1, 0.07];

@@ -3,7 +3,7 @@
 use super::controllers::{controller, parameters, sample_pick, sample_place};
 use super::world::{Block, Rules, Target, around, blocks, targets};
 use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES, predicates};
-use crate::domain::{
+use crate::task::{
     Controller, ControllerId, Environment, Failure, LiftedAtom, ObjectId, ObjectType, Operator,
     OperatorId, Parameters, Predicate, PredicateId, State,
 };

@@ -2,7 +2,7 @@
 
 use super::world::{Block, Target, blocks};
 use super::{BLOCK_TYPE, TARGET_TYPE};
-use crate::domain::{ObjectId, Predicate, State};
+use crate::task::{ObjectId, Predicate, State};
 
 /// `Clear(target)`: no block covers the target.
 pub(super) const fn clear<E>() -> Predicate<E> {

@@ -1,8 +1,8 @@
 //! What can be said of the controllers, for learning when they work.
 
 use super::{Cover, CoverRegrasp, RegionalBumpyCover};
-use crate::domain::ControllerId;
-use crate::plan::skill::{Describe, Description};
+use crate::skill::{Describe, Description};
+use crate::task::ControllerId;
 
 const fn alone(own: ControllerId, text: &'static str) -> Description {
     Description {

@@ -4,12 +4,12 @@ use super::{
     BLOCK_TYPE, BLOCK_WIDTHS, BLOCKS, BUMPY_REGION, Cover, CoverRegrasp, NOT_HELD, ROBOT_TYPE,
     RegionalBumpyCover, TARGET_TYPE, TARGET_WIDTHS, TARGETS,
 };
-use crate::domain::{
-    Arguments, Environment, GroundAtom, MAX_GOAL_ATOMS, ObjectId, PredicateId, State, Task,
-};
 use crate::error::Error;
 use crate::random::{below, uniform, uniform_in};
 use crate::real::Real;
+use crate::task::{
+    Arguments, Environment, GroundAtom, MAX_GOAL_ATOMS, ObjectId, PredicateId, State, Task,
+};
 use heapless::Vec;
 use rand_core::Rng;
 

@@ -1,8 +1,8 @@
 //! What lies on the table, and what a click does to it.
 
 use super::{BLOCK_TYPE, NOT_HELD, ROBOT_TYPE, TARGET_TYPE};
-use crate::domain::{Failure, ObjectId, State};
 use crate::real::Real;
+use crate::task::{Failure, ObjectId, State};
 use core::ops::RangeInclusive;
 
 /// A block of a state.

@@ -1,7 +1,7 @@
 //! The controllers. Each commands a single action.
 
 use super::{Action, BOX_TYPE, ROBOT_TYPE, SHELF_TYPE, Shelf};
-use crate::domain::{Controller, ControllerId, Terminal, always};
+use crate::task::{Controller, ControllerId, Terminal, always};
 use core::f64::consts::FRAC_PI_2;
 
 /// `Pick(robot, box; pitch, yaw)`: grasps the box.

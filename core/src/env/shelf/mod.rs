@@ -113,12 +113,12 @@
 //! board above, which is another range in each task.
 //!
 //! As the shelf stands along the axes of the world, each of these gaps is a coordinate, a
-//! distance or a parameter of the texts in [`Describe`](crate::plan::skill::Describe): the
+//! distance or a parameter of the texts in [`Describe`](crate::skill::Describe): the
 //! heel is `hand.heel`, the far end `hand.end`, points of the hand that turn with the
 //! pitch.
 //!
 //! ```
-//! use critreg::domain::{Environment, try_operator};
+//! use critreg::task::{Environment, try_operator};
 //! use critreg::env::shelf::{BOX, ROBOT, SHELF, Shelf};
 //! use critreg::random::generator;
 //!
@@ -148,9 +148,10 @@ pub use predicates::{HAND_EMPTY, HOLDING, IN_SHELF, ON_TABLE};
 pub use tasks::{BOX_HEIGHTS, BOX_RANGE, BOX_YAW, REST_POSE, SHELF_PLACES, SHELF_WIDTHS};
 pub use world::World;
 
-use crate::domain::{
-    Attribute, Controller, Dimension, Environment, Failure, Naming, ObjectId, ObjectType, Operator,
-    Predicate, State, TypeId,
+use crate::domain::{Attribute, Dimension};
+use crate::task::{
+    Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, Predicate, State,
+    TypeId,
 };
 
 /// Side of the table's top.

@@ -1,12 +1,12 @@
 //! The operators, in the order of their names.
 //!
 //! Parameters are drawn uniformly from the controller's space, as the
-//! [`Environment`](crate::domain::Environment) does where nothing else is said.
+//! [`Environment`](crate::task::Environment) does where nothing else is said.
 
 use super::{
     BOX_TYPE, HAND_EMPTY, HOLDING, IN_SHELF, ON_TABLE, PICK, PLACE, ROBOT_TYPE, SHELF_TYPE,
 };
-use crate::domain::{LiftedAtom, Operator};
+use crate::task::{LiftedAtom, Operator};
 
 // Robot and box are the first parameters of both operators.
 const HAND_IS_EMPTY: LiftedAtom<'static> = LiftedAtom::new(HAND_EMPTY, &[0]);

@@ -2,9 +2,9 @@
 
 use super::world::{World, table};
 use super::{BOX_TYPE, RESTING, ROBOT_TYPE, SHELF_TYPE, Shelf};
-use crate::domain::{Predicate, PredicateId};
 use crate::geometry::Cuboid;
 use crate::real::Real;
+use crate::task::{Predicate, PredicateId};
 
 /// `HandEmpty(robot)`: the robot does not hold the box.
 pub const HAND_EMPTY: PredicateId = PredicateId(0);

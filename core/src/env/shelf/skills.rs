@@ -1,7 +1,7 @@
 //! What can be said of the controllers, for learning when they work.
 
 use super::{PICK, PLACE, Shelf};
-use crate::plan::skill::{Describe, Description};
+use crate::skill::{Describe, Description};
 
 /// A text about objects, behind the constants.
 macro_rules! text {
@@ -44,8 +44,8 @@ mod tests {
         SWIVEL,
     };
     use super::*;
-    use crate::domain::Environment;
-    use crate::plan::skill::{Changes, Skills};
+    use crate::skill::{Changes, Skills};
+    use crate::task::Environment;
 
     #[test]
     fn the_texts_agree_with_the_environment() {

@@ -4,9 +4,9 @@ use super::{
     BOX, BOX_DEPTH, BOX_WIDTH, FINGER_LENGTH, HAND_LENGTH, HAND_THICKNESS, HAND_WIDTH, IN_SHELF,
     OVERHANG, SHELF, SHELF_TOP, Shelf, TABLE_SIZE, World,
 };
-use crate::domain::{Arguments, GroundAtom, Task};
 use crate::error::Error;
 use crate::random::uniform_in;
+use crate::task::{Arguments, GroundAtom, Task};
 use heapless::Vec;
 use rand_core::Rng;
 

@@ -4,9 +4,9 @@ use super::{
     BOARD, BOX_DEPTH, BOX_TYPE, BOX_WIDTH, FINGER_LENGTH, HAND_LENGTH, HAND_THICKNESS, HAND_WIDTH,
     OVERHANG, ROBOT_TYPE, SHELF_DEPTH, SHELF_TOP, SHELF_TYPE, Shelf, TABLE_SIZE,
 };
-use crate::domain::{Environment, State};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Frame3};
+use crate::task::{Environment, State};
 
 /// What is in the world: the numbers of a state by object.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,9 +7,9 @@ use super::{
     Action, BUTTON_TYPE, HOLDER, HOLDER_HEIGHT, MAX_ANGULAR_SPEED, MAX_SPEED, ROBOT_TYPE,
     STICK_HEIGHT, STICK_TYPE, STICK_WIDTH, StickButton, TARGET_TOLERANCE, UPRIGHT,
 };
-use crate::domain::{Controller, ControllerId, ObjectId, State, Terminal, always};
 use crate::geometry::{Intersects, distance_squared};
 use crate::real::Real;
+use crate::task::{Controller, ControllerId, ObjectId, State, Terminal, always};
 
 /// `PickStick(robot, stick; mu)`: goes to the point at `mu` times the width along
 /// the stick, half its height across, and grasps it.

@@ -11,7 +11,7 @@
 //! generator's stream of random numbers differs.
 //!
 //! ```
-//! use critreg::domain::{Environment, try_operator};
+//! use critreg::task::{Environment, try_operator};
 //! use critreg::env::stick_button::{StickButton, ROBOT, STICK};
 //! use critreg::random::generator;
 //!
@@ -42,9 +42,10 @@ pub use press::STICK_PRESS_BUTTON_FROM_NOTHING;
 pub use tasks::{Arrangement, MAX_BUTTONS};
 pub use world::World;
 
-use crate::domain::{
-    Attribute, Controller, Dimension, Environment, Failure, Naming, ObjectId, ObjectType, Operator,
-    Predicate, State, TypeId,
+use crate::domain::{Attribute, Dimension};
+use crate::task::{
+    Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, Predicate, State,
+    TypeId,
 };
 
 /// Size of the table along x; positions start at zero.

@@ -1,14 +1,14 @@
 //! The operators, in the order of their names.
 //!
 //! Parameters are drawn uniformly from the controller's space, as the
-//! [`Environment`](crate::domain::Environment) does where nothing else is said.
+//! [`Environment`](crate::task::Environment) does where nothing else is said.
 
 use super::{
     ABOVE_NO_BUTTON, BUTTON_TYPE, GRASPED, HAND_EMPTY, PICK_STICK, PLACE_STICK, PRESSED,
     ROBOT_ABOVE_BUTTON, ROBOT_PRESS_BUTTON, ROBOT_TYPE, STICK_ABOVE_BUTTON, STICK_PRESS_BUTTON,
     STICK_TYPE,
 };
-use crate::domain::{LiftedAtom, Operator};
+use crate::task::{LiftedAtom, Operator};
 
 /// The robot is the first parameter of every operator.
 const HAND_IS_EMPTY: LiftedAtom<'static> = LiftedAtom::new(HAND_EMPTY, &[0]);

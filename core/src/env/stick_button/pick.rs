@@ -1,9 +1,9 @@
 //! PickStick as something to learn about: its domain text and its simulator.
 
 use super::{ROBOT, STICK, StickButton, World};
-use crate::domain::{Environment, OperatorId, State, Verdict, try_operator_from};
 use crate::error::Error;
 use crate::learn::Answer;
+use crate::task::{Environment, OperatorId, State, Verdict, try_operator_from};
 
 /// The operator PickStickFromNothing.
 pub const PICK_STICK_FROM_NOTHING: OperatorId = OperatorId(1);

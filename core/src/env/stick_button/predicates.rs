@@ -2,8 +2,8 @@
 
 use super::world::{World, button_shape, is_set, robot_shape, stick_shape};
 use super::{BUTTON_TYPE, ROBOT_TYPE, STICK_TYPE, StickButton};
-use crate::domain::{ObjectId, Predicate, PredicateId, State};
 use crate::geometry::Intersects;
+use crate::task::{ObjectId, Predicate, PredicateId, State};
 
 /// `AboveNoButton()`: neither the robot nor the stick lies over any button.
 pub const ABOVE_NO_BUTTON: PredicateId = PredicateId(0);

@@ -3,9 +3,9 @@
 
 use super::pick::{pick, read_instance};
 use super::{FIRST_BUTTON, ROBOT, STICK, StickButton};
-use crate::domain::{Environment, OperatorId, State, Verdict, try_operator_from};
 use crate::error::Error;
 use crate::learn::Answer;
+use crate::task::{Environment, OperatorId, State, Verdict, try_operator_from};
 
 /// The operator StickPressButtonFromNothing.
 pub const STICK_PRESS_BUTTON_FROM_NOTHING: OperatorId = OperatorId(7);

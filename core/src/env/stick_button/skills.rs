@@ -1,7 +1,7 @@
 //! What can be said of the controllers, for learning when they work.
 
 use super::{PICK_STICK, PLACE_STICK, ROBOT_PRESS_BUTTON, STICK_PRESS_BUTTON, StickButton};
-use crate::plan::skill::{Describe, Description};
+use crate::skill::{Describe, Description};
 
 /// A text about objects, behind the constants.
 macro_rules! text {
@@ -46,8 +46,9 @@ impl Describe for StickButton {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::domain::{Domain, Environment};
-    use crate::plan::skill::{Changes, Skills};
+    use crate::domain::Domain;
+    use crate::skill::{Changes, Skills};
+    use crate::task::Environment;
 
     #[test]
     fn the_texts_agree_with_the_environment() {

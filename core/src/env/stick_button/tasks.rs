@@ -5,10 +5,10 @@ use super::{
     BUTTON_RADIUS, BUTTON_TYPE, HOLDER_HEIGHT, HOLDER_WIDTH, PRESSED, ROBOT_RADIUS, STICK_HEIGHT,
     STICK_WIDTH, StickButton, TABLE_HEIGHT, TABLE_WIDTH, UPRIGHT, ZONE_HEIGHT,
 };
-use crate::domain::{Arguments, GroundAtom, Task};
 use crate::error::Error;
 use crate::geometry::{Circle, Frame2, Intersects};
 use crate::random::{below, uniform_in};
+use crate::task::{Arguments, GroundAtom, Task};
 use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 use heapless::Vec;

@@ -4,9 +4,9 @@ use super::{
     BUTTON_RADIUS, BUTTON_TYPE, HOLDER_HEIGHT, HOLDER_TYPE, HOLDER_WIDTH, ROBOT_RADIUS, ROBOT_TYPE,
     STICK_HEIGHT, STICK_TYPE, STICK_WIDTH, StickButton, TIP_WIDTH,
 };
-use crate::domain::{Environment, State};
 use crate::error::Error;
 use crate::geometry::{Circle, Rectangle};
+use crate::task::{Environment, State};
 
 /// What lies on the table: the numbers of a state by object.
 ///

@@ -1,7 +1,7 @@
 //! h-add (Bonet and Geffner 2001).
 
 use super::relaxation::Relaxation;
-use crate::domain::{AtomSet, MAX_ATOMS};
+use crate::task::{AtomSet, MAX_ATOMS};
 
 impl Relaxation<'_> {
     /// h-add: as if the atoms of a set were reached one after the other, without

@@ -1,7 +1,7 @@
 //! Estimates that were computed already.
 
 use super::Estimate;
-use crate::domain::AtomSet;
+use crate::task::AtomSet;
 
 /// A place for one estimate.
 #[derive(Clone, Copy, Debug, Default)]

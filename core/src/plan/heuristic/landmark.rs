@@ -1,7 +1,7 @@
 //! LM-cut (Helmert and Domshlak 2009).
 
 use super::relaxation::{Fact, Reached, Relaxation, START, adds_of};
-use crate::domain::AtomSet;
+use crate::task::AtomSet;
 
 impl Relaxation<'_> {
     /// LM-cut. As long as the goal costs something, there is a cut: a set of

@@ -12,8 +12,8 @@ pub use cache::Cached;
 pub use relaxation::{Progress, links};
 
 use super::AbstractTask;
-use crate::domain::AtomSet;
 use crate::error::Error;
+use crate::task::AtomSet;
 use cache::Cache;
 use relaxation::Relaxation;
 

@@ -1,8 +1,8 @@
 //! The delete relaxation of a task, and what can be reached in it.
 
 use super::super::AbstractTask;
-use crate::domain::{AtomSet, GroundOperator, MAX_ATOMS};
 use crate::error::Error;
+use crate::task::{AtomSet, GroundOperator, MAX_ATOMS};
 
 /// An atom, by its place, or [`START`].
 pub(super) type Fact = u8;

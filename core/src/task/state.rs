@@ -1,6 +1,6 @@
 //! Objects and low-level states (thesis 4.1.1: the object set O and x in X).
 
-use super::schema::{Attribute, MAX_OBJECTS};
+use crate::domain::{Attribute, MAX_OBJECTS};
 use crate::error::Error;
 use core::fmt::{self, Write};
 use heapless::Vec;

@@ -115,9 +115,10 @@ fn judge<E: Environment>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::domain::{
-        Attribute, Controller, ControllerId, Dimension, Naming, ObjectType, OperatorId, Predicate,
-        PredicateId, Terminal, TypeId, rollout,
+    use crate::domain::{Attribute, Dimension};
+    use crate::task::{
+        Controller, ControllerId, Naming, ObjectType, OperatorId, Predicate, PredicateId, Terminal,
+        TypeId, rollout,
     };
     use rand_pcg::Pcg32;
 

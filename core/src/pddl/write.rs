@@ -2,7 +2,7 @@
 
 use super::problem::Problem;
 use super::schema::{Action, Domain, Literal, Object, Part, Relation, Term};
-use crate::domain::{Arguments, GroundAtom, GroundOperator, PredicateId, TypeId};
+use crate::task::{Arguments, GroundAtom, GroundOperator, PredicateId, TypeId};
 use core::fmt::{Display, Formatter, Result};
 
 /// A ground atom or operator as text, such as `(on a b)`; `Display` writes it.

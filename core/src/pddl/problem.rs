@@ -2,9 +2,9 @@
 
 use super::reader::{Reader, name};
 use super::schema::{Domain, Object, compare};
-use crate::domain::{Arguments, GroundAtom, MAX_GOAL_ATOMS, ObjectId, TypeId};
 use crate::error::Error;
 use crate::table::{Table, move_last};
+use crate::task::{Arguments, GroundAtom, MAX_GOAL_ATOMS, ObjectId, TypeId};
 use heapless::Vec;
 
 /// Most objects of a problem, the constants of its domain among them.

@@ -1,8 +1,8 @@
 //! Controllers and their runs (thesis 4.1.1: C and its low-level policies).
 
 use super::environment::{Environment, Failure};
-use super::schema::MAX_PARAMETERS;
 use super::state::{MAX_STATE_VALUES, ObjectId, State, TypeId};
+use crate::domain::MAX_PARAMETERS;
 use crate::real::Real;
 use heapless::Vec;
 

@@ -12,7 +12,7 @@ pub const MAX_ATOMS: usize = 128;
 
 /// The ground atoms of a task: either every predicate with every choice of distinct
 /// objects of the right types, or those that its operators name
-/// ([`pddl::Grounding`](super::pddl::Grounding)).
+/// ([`pddl::Grounding`](crate::pddl::Grounding)).
 ///
 /// They are in the order of the predicates, then of the objects, the last one
 /// changing fastest. An [`AtomSet`] refers to them by their place.
@@ -44,12 +44,12 @@ impl Atoms {
     }
 
     /// No atoms yet, for [`Self::insert`].
-    pub(super) const fn none() -> Self {
+    pub(crate) const fn none() -> Self {
         Atoms { atoms: Vec::new() }
     }
 
     /// Puts an atom to its place, unless it is there.
-    pub(super) fn insert(&mut self, atom: GroundAtom) -> Result<(), Error> {
+    pub(crate) fn insert(&mut self, atom: GroundAtom) -> Result<(), Error> {
         let Err(place) = self.atoms.binary_search(&atom) else {
             return Ok(());
         };

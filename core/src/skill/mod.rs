@@ -35,9 +35,10 @@ pub use scope::Scope;
 pub use settings::{Candidate, MAX_CHAIN, Setting};
 pub use training::{Learned, Training, TrainingMemory};
 
-use crate::domain::{ControllerId, Domain, Environment, MAX_STATE_VALUES, PredicateId};
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::region::Region;
+use crate::task::{ControllerId, Environment, MAX_STATE_VALUES, PredicateId};
 
 /// What can be said of a controller, or of two that run one after the other.
 #[derive(Clone, Copy, Debug)]

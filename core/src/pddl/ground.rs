@@ -2,8 +2,8 @@
 
 use super::problem::Problem;
 use super::schema::{Action, Literal, Part, Relation, Term, Variable};
-use crate::domain::{Arguments, AtomSet, Atoms, GroundAtom, GroundOperator, OperatorId};
 use crate::error::Error;
+use crate::task::{Arguments, AtomSet, Atoms, GroundAtom, GroundOperator, OperatorId};
 
 /// A problem in terms of ground atoms: what a search takes.
 ///
@@ -25,7 +25,7 @@ impl<'a, 't> Grounding<'a, 't> {
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`] if they are more than
-    /// [`MAX_ATOMS`](crate::domain::MAX_ATOMS).
+    /// [`MAX_ATOMS`](crate::task::MAX_ATOMS).
     pub fn new(problem: &'a Problem<'t>) -> Result<Self, Error> {
         let is_static = |atom: &GroundAtom| problem.domain().is_static(atom.predicate);
         let initial = problem.initial().iter().filter(|a| !is_static(a));

@@ -1,10 +1,10 @@
 //! The regions of a step and of the steps after it.
 
 use super::Skill;
-use crate::domain::MAX_STATE_VALUES;
 use crate::error::Error;
 use crate::region::{Intersection, Part, Region, Theta};
 use crate::table::gather;
+use crate::task::MAX_STATE_VALUES;
 use heapless::Vec;
 use rand_core::Rng;
 

@@ -3,14 +3,14 @@
 use super::selection::{spread, swap_rows};
 use super::training::TrainingMemory;
 use super::{Describe, Informed, Scope, Skill, Skills};
-use crate::domain::{
-    Arguments, AtomSet, Atoms, ControllerId, GroundOperator, ObjectId, PredicateId, State, Task,
-    ground_operators,
-};
 use crate::error::Error;
 use crate::learn::Answer;
 use crate::plan::{AbstractTask, Conclusion, Config, Planner, Simulated};
 use crate::random::generator;
+use crate::task::{
+    Arguments, AtomSet, Atoms, ControllerId, GroundOperator, ObjectId, PredicateId, State, Task,
+    ground_operators,
+};
 use heapless::Vec;
 
 /// Most operators that are tried in a row: two, and what they need in between.

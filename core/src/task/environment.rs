@@ -75,7 +75,7 @@ pub trait Environment: Sized + 'static {
         let numbers = space
             .iter()
             .map(|[low, high]| uniform_in(rng, *low, *high) as f32);
-        gather(numbers.take(super::MAX_PARAMETERS))
+        gather(numbers.take(crate::domain::MAX_PARAMETERS))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The tables of a domain.
 
-use crate::domain::{MAX_ARGUMENTS, OperatorId, PredicateId, TypeId};
+use crate::task::{MAX_ARGUMENTS, OperatorId, PredicateId, TypeId};
 use core::cmp::Ordering;
 use heapless::Vec;
 

@@ -56,7 +56,7 @@ impl Arguments {
             .unwrap_or_default()
     }
 
-    pub(super) fn as_mut_slice(&mut self) -> &mut [ObjectId] {
+    pub(crate) fn as_mut_slice(&mut self) -> &mut [ObjectId] {
         self.objects
             .get_mut(..usize::from(self.count))
             .unwrap_or_default()

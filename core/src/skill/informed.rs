@@ -3,10 +3,10 @@
 use super::tail::Tail;
 use super::trial::completed;
 use super::{Describe, Scope, Skill, Skills};
-use crate::domain::{Arguments, Controller, ControllerId, GroundOperator, State};
 use crate::error::Error;
 use crate::plan::{Advice, Draw, Drawn, Guide, ReasonId, Sampler, Simulated, Skeleton};
 use crate::random::uniform;
+use crate::task::{Arguments, Controller, ControllerId, GroundOperator, State};
 use rand_core::Rng;
 
 /// An environment's sampler and guide that know its skills.

@@ -3,12 +3,13 @@
 use super::selection::swap_rows;
 use super::settings::{Wanted, survey};
 use super::{Candidate, Describe, Setting, Skill, Skills};
-use crate::domain::{Domain, GroundOperator, State, Task};
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::version_space::{Capacity, Config, Memory, VersionSpace};
 use crate::learn::{Answer, Learner, Problem, learn_region};
 use crate::random::{Generator, generator};
 use crate::region::{Region, Theta};
+use crate::task::{GroundOperator, State, Task};
 use heapless::VecView;
 
 /// How much is tried to learn a skill.

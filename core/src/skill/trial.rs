@@ -1,12 +1,13 @@
 //! Trying a setting: the question that the learner of a skill asks.
 
 use super::{Describe, Informed, MAX_CHAIN, Setting, Skills};
-use crate::domain::{GroundOperator, MAX_PARAMETERS, Parameters, State, try_operator};
+use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
 use crate::learn::Answer;
 use crate::plan::{Draw, Drawn, Sampler, Skeleton};
 use crate::random::Generator;
 use crate::region::Theta;
+use crate::task::{GroundOperator, Parameters, State, try_operator};
 
 /// How often operators whose parameters are free are tried before they count as
 /// impossible.

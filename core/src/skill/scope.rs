@@ -1,6 +1,6 @@
 //! Who fills roles: a state, and the objects of one or two controllers.
 
-use crate::domain::{Environment, ObjectId, PredicateId, State, TypeId};
+use crate::task::{Environment, ObjectId, PredicateId, State, TypeId};
 
 /// What the roles of a domain text are filled from; see [`Binding`](super::Binding).
 #[derive(Debug)]
@@ -33,10 +33,7 @@ impl<E: Environment> Scope<'_, E> {
     }
 
     /// The predicates that are about objects of a type.
-    fn narrowing(
-        &self,
-        kind: TypeId,
-    ) -> impl Iterator<Item = &'static crate::domain::Predicate<E>> {
+    fn narrowing(&self, kind: TypeId) -> impl Iterator<Item = &'static crate::task::Predicate<E>> {
         let all = self.environment.predicates();
         let named = self
             .among

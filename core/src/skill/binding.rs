@@ -1,8 +1,9 @@
 //! Roles: from a state and ground operators to an instance of a domain text.
 
 use super::scope::Scope;
-use crate::domain::{Domain, Environment, MAX_STATE_VALUES, ObjectId, ObjectType, TypeId};
+use crate::domain::Domain;
 use crate::error::Error;
+use crate::task::{Environment, MAX_STATE_VALUES, ObjectId, ObjectType, TypeId};
 use heapless::Vec;
 
 /// Who fills a role.

@@ -1,6 +1,7 @@
 //! What controllers change.
 
-use crate::domain::{MAX_ARGUMENTS, MAX_TYPES, ObjectId, State};
+use crate::domain::MAX_TYPES;
+use crate::task::{MAX_ARGUMENTS, ObjectId, State};
 
 /// Attributes of an object of which more is known than that they change.
 const TRACKED: usize = 8;

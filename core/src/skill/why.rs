@@ -3,8 +3,8 @@
 use super::informed::Run;
 use super::tail::{MAX_PARTS, Tail};
 use super::{Describe, Informed, Scope, Skill};
-use crate::domain::{GroundOperator, ObjectType};
 use crate::plan::{ReasonId, Skeleton};
+use crate::task::{GroundOperator, ObjectType};
 use core::fmt::{self, Write};
 
 impl<E: Describe> Informed<'_, E> {

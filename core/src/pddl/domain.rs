@@ -5,8 +5,8 @@ use super::schema::{
     Action, Domain, Literal, OBJECT, Object, Part, Predicate, Relation, Span, Term, Type, Variable,
     index_of,
 };
-use crate::domain::{MAX_ARGUMENTS, PredicateId, TypeId};
 use crate::error::Error;
+use crate::task::{MAX_ARGUMENTS, PredicateId, TypeId};
 use heapless::Vec;
 
 const DECLARED_TWICE: &str = "this name is declared already";

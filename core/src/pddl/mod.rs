@@ -1,13 +1,14 @@
 //! Operators and problems as PDDL text: the planning language's typed STRIPS.
 //!
 //! A [`Domain`] is read once, a [`Problem`] for each task, and a [`Grounding`] turns
-//! both into what a search takes: [`Atoms`](super::Atoms), initial and goal
-//! [`AtomSet`](super::AtomSet)s and [`GroundOperator`](super::GroundOperator)s. The
+//! both into what a search takes: [`Atoms`](crate::task::Atoms), initial and goal
+//! [`AtomSet`](crate::task::AtomSet)s and [`GroundOperator`](crate::task::GroundOperator)s. The
 //! continuous parameters of an action are no part of PDDL; they belong to its
 //! controller.
 //!
 //! ```
-//! use critreg::domain::{GroundAtom, pddl};
+//! use critreg::task::GroundAtom;
+//! use critreg::pddl;
 //!
 //! let domain = pddl::Domain::parse(
 //!     "(define (domain switches)
@@ -64,8 +65,8 @@
 //! # Orders
 //!
 //! Types, predicates and actions are numbered as they are declared, so that a
-//! [`PredicateId`](super::PredicateId) or [`OperatorId`](super::OperatorId) is a
-//! place in the text; [`TypeId`](super::TypeId) 0 is `object`. Objects, the domain's
+//! [`PredicateId`](crate::task::PredicateId) or [`OperatorId`](crate::task::OperatorId) is a
+//! place in the text; [`TypeId`](crate::task::TypeId) 0 is `object`. Objects, the domain's
 //! constants among them, are numbered in the order of their names.
 //! Ground operators come in the order of the names of their actions, then of their
 //! objects, the last parameter changing fastest. Names are ordered by ASCII code
