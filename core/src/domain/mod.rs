@@ -80,7 +80,6 @@ mod scene;
 mod schema;
 mod turns;
 
-pub(crate) use description::CHECKSUM;
 pub(crate) use expression::{TermError, copy, intern, is_same};
 
 pub use algebra::{Algebra, Arithmetic, Curve, Line, Measure, Range};

@@ -8,13 +8,8 @@ use super::expression::{Node, NodeId, copy, intern};
 use super::schema::{Attribute, Constant, Domain, Parameter, Type};
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Token, split_at_dot};
-use crc::{CRC_32_ISO_HDLC, Crc};
+use crate::wire::CHECKSUM;
 use heapless::Vec;
-
-/// Checksum that tells domain texts, instances and saved bytes apart. Instances are
-/// checked in every call from C, so it has a table: a kilobyte of flash for a seventh of
-/// what an answer takes on a microcontroller.
-pub(crate) const CHECKSUM: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 
 const KEYWORDS: [&str; 22] = [
     "type",
