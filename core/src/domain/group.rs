@@ -6,9 +6,8 @@
 //! are there: "the nearest obstacle is at least 0.2 away" holds for all of them,
 //! however many there are, and so one region serves every instance.
 
-use super::expression::{Coordinate, Metric, Node};
+use super::node::{Node, Relation};
 use super::schema::{Domain, Object};
-use crate::real::Real;
 
 /// Most groups in a domain.
 pub const MAX_GROUPS: usize = 8;
@@ -30,91 +29,6 @@ pub struct Member {
     pub group: u8,
     /// Which of its members, from 0.
     pub index: u8,
-}
-
-/// Which of several values counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extreme {
-    /// `min(...)`
-    Least,
-    /// `max(...)`
-    Greatest,
-}
-
-impl Extreme {
-    /// Both, in the order of the grammar.
-    pub const ALL: [Extreme; 2] = [Extreme::Least, Extreme::Greatest];
-
-    /// Its name in the texts.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Extreme::Least => "min",
-            Extreme::Greatest => "max",
-        }
-    }
-
-    /// The one with this name.
-    pub fn from_name(name: &str) -> Option<Extreme> {
-        Extreme::ALL.into_iter().find(|e| e.name() == name)
-    }
-
-    /// The one of two values that counts.
-    pub fn of<R: Real>(self, a: R, b: R) -> R {
-        match self {
-            Extreme::Least => a.min(b),
-            Extreme::Greatest => a.max(b),
-        }
-    }
-
-    /// The value over nothing: infinite, so that "at least" of a least value and
-    /// "at most" of a greatest one hold.
-    pub fn of_nothing<R: Real>(self) -> R {
-        match self {
-            Extreme::Least => R::INFINITY,
-            Extreme::Greatest => -R::INFINITY,
-        }
-    }
-}
-
-/// A term about the members of one group, of which the extreme is taken. It names
-/// the first member, which stands for each of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
-    /// As [`Node::Attribute`].
-    Attribute(u8),
-    /// As [`Node::Coordinate`].
-    Coordinate(Coordinate, u8),
-    /// As [`Node::Distance`].
-    Distance(Metric, u8, u8),
-    /// As [`Node::Angle`].
-    Angle(u8, u8),
-    /// As [`Node::VertexAngle`].
-    VertexAngle(u8, u8, u8),
-}
-
-impl Relation {
-    /// The relation that is this term; `None` for any other term.
-    pub fn of(term: Node) -> Option<Relation> {
-        match term {
-            Node::Attribute(slot) => Some(Relation::Attribute(slot)),
-            Node::Coordinate(coordinate, point) => Some(Relation::Coordinate(coordinate, point)),
-            Node::Distance(metric, a, b) => Some(Relation::Distance(metric, a, b)),
-            Node::Angle(a, b) => Some(Relation::Angle(a, b)),
-            Node::VertexAngle(a, b, c) => Some(Relation::VertexAngle(a, b, c)),
-            _ => None,
-        }
-    }
-
-    /// The term about the first member.
-    pub fn term(self) -> Node {
-        match self {
-            Relation::Attribute(slot) => Node::Attribute(slot),
-            Relation::Coordinate(coordinate, point) => Node::Coordinate(coordinate, point),
-            Relation::Distance(metric, a, b) => Node::Distance(metric, a, b),
-            Relation::Angle(a, b) => Node::Angle(a, b),
-            Relation::VertexAngle(a, b, c) => Node::VertexAngle(a, b, c),
-        }
-    }
 }
 
 impl<'t> Domain<'t> {

@@ -74,18 +74,20 @@ mod description;
 mod dimension;
 mod expression;
 mod group;
+mod node;
 mod point_set;
 mod sample;
 mod scene;
 mod schema;
 mod turns;
 
-pub(crate) use expression::{TermError, copy, intern, is_same};
+pub(crate) use node::{TermError, copy, intern, is_same};
 
 pub use algebra::{Algebra, Arithmetic, Curve, Line, Measure, Range};
 pub use dimension::Dimension;
-pub use expression::{Coordinate, Dependence, MAX_DEPTH, Metric, Node, NodeId};
-pub use group::{Extreme, Group, MAX_GROUPS, Member, Relation};
+pub use expression::{Dependence, MAX_DEPTH};
+pub use group::{Group, MAX_GROUPS, Member};
+pub use node::{Coordinate, Extreme, Metric, Node, NodeId, Relation};
 pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};

@@ -1,6 +1,6 @@
 //! Sets of points: what a region or learner speaks about.
 
-use super::expression::Node;
+use super::node::Node;
 use super::schema::{Base, Domain, MAX_POINTS, Point, PoseSlots};
 
 /// A set of points of a domain, with the points they are placed in. Those that move

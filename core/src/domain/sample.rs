@@ -1,8 +1,7 @@
 //! A scene at one sample: points that depend on parameters, and values of expressions.
 
 use super::algebra::{Algebra, Arithmetic, Measure};
-use super::expression::{Coordinate, Metric, Node, NodeId};
-use super::group::{Extreme, Relation};
+use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Relation};
 use super::scene::{MAX_SAMPLE_POINTS, Scene, is_zero, parameter};
 use super::schema::{Base, Point};
 use super::turns::Turn;

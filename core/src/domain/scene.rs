@@ -3,8 +3,7 @@
 //! objects and key points, and all their sines and cosines) is computed once.
 
 use super::algebra::{Algebra, Arithmetic};
-use super::expression::{Node, NodeId};
-use super::group::Relation;
+use super::node::{Node, NodeId, Relation};
 use super::point_set::PointSet;
 use super::sample::Sample;
 use super::schema::{Base, Domain, MAX_OBJECTS, MAX_POINTS, Point, Shape};

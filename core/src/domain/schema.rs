@@ -1,8 +1,8 @@
 //! What a planner knows about an action: objects, constants, parameters, points.
 
 use super::dimension::Dimension;
-use super::expression::{Node, NodeId};
 use super::group::{Group, MAX_GROUPS, Member};
+use super::node::{Node, NodeId};
 use crate::error::Error;
 use crate::text::split_at_dot;
 use heapless::Vec;

@@ -2,7 +2,7 @@
 
 use super::line::Line;
 use super::{Algebra, Arithmetic, Measure, dot};
-use crate::domain::Extreme;
+use crate::domain::node::Extreme;
 use crate::real::Real;
 
 /// `line(t) + factor * |vector(t)|`, or `line(t) + factor * angle(t)` with the angle

@@ -14,7 +14,7 @@ pub use curve::Curve;
 pub use line::Line;
 pub use range::Range;
 
-use super::group::Extreme;
+use super::node::Extreme;
 use crate::real::Real;
 
 /// What can be added, subtracted and multiplied.

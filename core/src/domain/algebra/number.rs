@@ -1,7 +1,7 @@
 //! Numbers: what a term is at one sample.
 
 use super::{Algebra, Arithmetic, Measure, dot};
-use crate::domain::Extreme;
+use crate::domain::node::Extreme;
 use crate::real::Real;
 
 impl<R: Real> Arithmetic<R> for R {

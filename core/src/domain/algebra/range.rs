@@ -1,7 +1,7 @@
 //! Ranges: bounds of a term over a box of parameters.
 
 use super::{Algebra, Arithmetic, Measure, dot};
-use crate::domain::Extreme;
+use crate::domain::node::Extreme;
 use crate::real::Real;
 
 /// All values between two bounds, over a box of parameters.

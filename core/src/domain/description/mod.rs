@@ -4,7 +4,7 @@ mod objects;
 mod places;
 
 use super::dimension::Dimension;
-use super::expression::{Node, NodeId, copy, intern};
+use super::node::{Node, NodeId, copy, intern};
 use super::schema::{Attribute, Constant, Domain, Parameter, Type};
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Token, split_at_dot};
