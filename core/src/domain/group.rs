@@ -6,37 +6,11 @@
 //! are there: "the nearest obstacle is at least 0.2 away" holds for all of them,
 //! however many there are, and so one region serves every instance.
 
+use super::declarations::{Member, Object};
 use super::node::{Node, Relation};
-use super::schema::{Domain, Object};
-
-/// Most groups in a domain.
-pub const MAX_GROUPS: usize = 8;
-
-/// Objects of one type under one name. Members stand one behind the other, among
-/// the objects, in an instance, and in each kind of point that they have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Group {
-    /// Index of the first member among the objects.
-    pub first_object: u8,
-    /// How many members there can be.
-    pub count: u8,
-}
-
-/// To which group an object or point belongs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Member {
-    /// Index of the group.
-    pub group: u8,
-    /// Which of its members, from 0.
-    pub index: u8,
-}
+use super::schema::Domain;
 
 impl<'t> Domain<'t> {
-    /// The groups in order of declaration.
-    pub fn groups(&self) -> &[Group] {
-        &self.groups
-    }
-
     /// The members of a group; none for an index that is none.
     pub fn members(&self, group: u8) -> &[Object<'t>] {
         let group = self.groups.get(usize::from(group));
@@ -92,19 +66,5 @@ impl<'t> Domain<'t> {
         let stride = self.attributes_of(first.type_index).len();
         let moved = usize::from(slot) + stride * usize::from(index);
         u8::try_from(moved).unwrap_or(slot)
-    }
-
-    /// The object to which a number of an instance belongs.
-    pub(super) fn owner(&self, slot: u8) -> Option<&Object<'t>> {
-        self.objects.iter().rfind(|o| o.first_slot <= slot)
-    }
-}
-
-impl Object<'_> {
-    /// Whether an instance has it: a member of a group that is absent has NaN for
-    /// each of its numbers.
-    pub(super) fn is_present(&self, instance: &[f64]) -> bool {
-        let first = instance.get(usize::from(self.first_slot));
-        self.member.is_none() || first.is_some_and(|number| !number.is_nan())
     }
 }

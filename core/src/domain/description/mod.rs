@@ -3,9 +3,10 @@
 mod objects;
 mod places;
 
+use super::declarations::{Attribute, Constant, Parameter, Type};
 use super::dimension::Dimension;
 use super::node::{Node, NodeId, copy, intern};
-use super::schema::{Attribute, Constant, Domain, Parameter, Type};
+use super::schema::Domain;
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Token, split_at_dot};
 use crate::wire::CHECKSUM;

@@ -1,7 +1,7 @@
 //! Statements that declare objects, single ones and groups.
 
 use super::DomainParser;
-use crate::domain::schema::PoseSlots;
+use crate::domain::declarations::PoseSlots;
 use crate::domain::{Base, Group, Member, Object};
 use crate::text::{Failed, Token};
 
