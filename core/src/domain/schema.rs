@@ -46,6 +46,24 @@ pub struct Domain<'t> {
 }
 
 impl<'t> Domain<'t> {
+    /// A domain in which there is nothing.
+    pub const fn empty() -> Domain<'t> {
+        Domain {
+            types: Vec::new(),
+            attributes: Vec::new(),
+            objects: Vec::new(),
+            groups: Vec::new(),
+            constants: Vec::new(),
+            parameters: Vec::new(),
+            points: Vec::new(),
+            shapes: Vec::new(),
+            nodes: Vec::new(),
+            slots: 0,
+            text: "",
+            fingerprint: 0,
+        }
+    }
+
     /// The text it was made from.
     pub fn text(&self) -> &'t str {
         self.text
