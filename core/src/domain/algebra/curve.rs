@@ -62,10 +62,42 @@ impl<R: Real> Curve<R> {
         across.atan2(along)
     }
 
+    /// Where it may be zero: `line(t) = -factor * |vector(t)|`; NaN or infinite for
+    /// none. A root of the squared equation need not be one of the curve.
+    pub fn roots(&self) -> [R; 2] {
+        let Some((Line { at: a, slope: b }, factor)) = self.without_angle() else {
+            return [R::NAN; 2];
+        };
+        if factor == R::ZERO {
+            return [-a / b, R::NAN];
+        }
+        let zero = |v: &Line<R>| v.at == R::ZERO && v.slope == R::ZERO;
+        let [x, y, z] = &self.vector;
+        let single = match (zero(x), zero(y), zero(z)) {
+            (_, true, true) => Some(x),
+            (true, _, true) => Some(y),
+            (true, true, _) => Some(z),
+            _ => None,
+        };
+        if let Some(v) = single {
+            let (at, slope) = (factor * v.at, factor * v.slope);
+            return [-(a + at) / (b + slope), -(a - at) / (b - slope)];
+        }
+        let square = |f: fn(&Line<R>) -> R, g: fn(&Line<R>) -> R| {
+            let products = self.vector.iter().map(|v| f(v) * g(v));
+            factor * factor * products.fold(R::ZERO, |sum, p| sum + p)
+        };
+        quadratic_roots(
+            square(|v| v.slope, |v| v.slope) - b * b,
+            square(|v| v.at, |v| v.slope) - a * b,
+            square(|v| v.at, |v| v.at) - a * a,
+        )
+    }
+
     /// The straight part and the factor of a curve with the same vector and the same
     /// roots that is no angle: a vector is at an angle to a direction where its part
     /// along it is its length times the cosine. `None` if there are no roots.
-    pub fn without_angle(&self) -> Option<(Line<R>, R)> {
+    fn without_angle(&self) -> Option<(Line<R>, R)> {
         let Some(along) = self.along else {
             return Some((self.line, self.factor));
         };
@@ -191,4 +223,15 @@ impl<R: Real> Measure<R> for Curve<R> {
     fn lower(&mut self, by: R) {
         self.line.at -= by;
     }
+}
+
+/// The roots of `a t^2 + 2 b t + c`, without cancellation.
+fn quadratic_roots<R: Real>(a: R, b: R, c: R) -> [R; 2] {
+    let discriminant = b * b - a * c;
+    if discriminant < R::ZERO {
+        return [R::NAN; 2];
+    }
+    let root = discriminant.sqrt();
+    let q = if b < R::ZERO { root - b } else { -(b + root) };
+    [q / a, c / q]
 }
