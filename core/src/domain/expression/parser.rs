@@ -8,8 +8,11 @@ use crate::error::Error;
 use crate::text::{Failed, Lexer, Place, Token, split_at_last_dot};
 use heapless::VecView;
 
-/// Deepest nesting of an expression, so that walking one has bounded stack.
+/// Deepest nesting of an expression, and of a formula around it, so that walking one has
+/// bounded stack.
 pub const MAX_DEPTH: u8 = 12;
+
+const _: () = assert!(MAX_DEPTH == 12, "errors name it");
 
 impl Domain<'_> {
     /// Reads an expression, which is `expr` in the [grammar](crate::domain#the-domain-text).
@@ -274,6 +277,7 @@ fn deeper(lexer: &mut Lexer<'_>, depth: u8) -> Result<u8, Failed> {
     if depth < MAX_DEPTH {
         Ok(depth + 1)
     } else {
-        Err(lexer.fail("the expression is nested too deeply or too long"))
+        Err(lexer
+            .fail("the expression is nested deeper than 12; brackets and operators in a row count"))
     }
 }
