@@ -181,9 +181,10 @@
  *     extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over a group *)
  *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" )
  *                   "(" path "," path ")"
+ *               | "angle" "(" path "," path "," path ")"    (* at the second point *)
  *               | "area" "(" name ")" ;
  *     path      = name { "." name } ;
- *     name      = letter { letter | digit | "_" } ;
+ *     name      = ( letter | "_" ) { letter | digit | "_" } ;
  *
  * An object with the attributes x and y (and z, theta or yaw, pitch, roll) is a
  * point as well. An offset is along the axes of the frame, after the turn. The
