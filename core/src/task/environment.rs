@@ -2,8 +2,8 @@
 //! predicates of thesis 4.1.1.
 
 use super::atom::Predicate;
-use super::controller::{Controller, ControllerId, Parameters};
-use super::operator::{GroundOperator, Operator, OperatorId};
+use super::controller::{Controller, Parameters};
+use super::operator::{ControllerId, GroundOperator, Operator, OperatorId};
 use super::state::{ObjectId, ObjectType, State};
 use crate::error::Error;
 use crate::random::uniform_in;

@@ -1,9 +1,9 @@
 //! Trying an operator with given parameters: the question that is learned.
 
 use super::atom::LiftedAtom;
-use super::controller::{Ending, rollout_from};
 use super::environment::{Environment, Failure};
 use super::operator::Operator;
+use super::rollout::{Ending, rollout_from};
 use super::state::{ObjectId, State};
 
 /// Whether an action did what its operator promises.
