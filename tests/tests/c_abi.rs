@@ -4,6 +4,7 @@
 #[path = "../c/support.rs"]
 mod support;
 
+use critreg::env::stick_button::StickButton;
 use critreg::plan::{Conclusion, Config, Planner, Unguided};
 use critreg::random::generator;
 use critreg::task::Environment;
@@ -118,7 +119,7 @@ fn planned_by_the_core(seed: u64) -> String {
         let name = ENVIRONMENT.operator(ground).unwrap().name;
         write!(line, " ({name}").unwrap();
         for object in ground.objects.as_slice() {
-            let name = task.initial.name(ENVIRONMENT.types(), *object).unwrap();
+            let name = task.initial.name(StickButton::TYPES, *object).unwrap();
             write!(line, " {name}").unwrap();
         }
         line.push(')');

@@ -10,21 +10,20 @@ impl GroundAtom {
     /// Whether the atom holds in a state; false for a predicate that the
     /// environment does not have.
     pub fn holds<E: Environment>(&self, environment: &E, state: &State) -> bool {
-        environment
-            .predicates()
+        E::PREDICATES
             .get(usize::from(self.predicate.0))
             .is_some_and(|p| (p.classifier)(environment, state, self.objects.as_slice()))
     }
 }
 
 impl Atoms {
-    /// The atoms over the objects of `state`.
+    /// The atoms of an environment over the objects of `state`.
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`] if they are more than [`MAX_ATOMS`](super::MAX_ATOMS).
-    pub fn new<E: Environment>(environment: &E, state: &State) -> Result<Self, Error> {
+    pub fn new<E: Environment>(state: &State) -> Result<Self, Error> {
         let mut atoms = Atoms::none();
-        for (id, predicate) in (0..).zip(environment.predicates()) {
+        for (id, predicate) in (0..).zip(E::PREDICATES) {
             let groundings = Groundings::new(state, predicate.arguments)?;
             for objects in groundings.filter(|objects| objects.are_distinct()) {
                 let predicate = PredicateId(id);

@@ -171,21 +171,10 @@ static OPERATORS: [Operator<'static>; 5] = [
 impl Environment for RegionalBumpyCover {
     type Action = Action;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES_WITH_BUMPS
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        &CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &OPERATORS
-    }
+    const TYPES: &'static [ObjectType] = &TYPES_WITH_BUMPS;
+    const PREDICATES: &'static [Predicate<Self>] = &PREDICATES;
+    const CONTROLLERS: &'static [Controller<Self>] = &CONTROLLERS;
+    const OPERATORS: &'static [Operator<'static>] = &OPERATORS;
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         RULES.click(state, f64::from(action))

@@ -59,7 +59,7 @@
 //!
 //! let environment = RegionalBumpyCover;
 //! let task = environment.task(0, &mut generator(7))?;
-//! let pick = environment.operators().iter().find(|o| o.name == "PickFromSmooth").unwrap();
+//! let pick = RegionalBumpyCover::OPERATORS.iter().find(|o| o.name == "PickFromSmooth").unwrap();
 //! let [_, block] = BLOCKS;
 //! let [_, _, _, pose, ..] = *task.initial.attributes(block).unwrap() else { panic!() };
 //! let try_at = |click| try_operator(&environment, pick, &[block], &[click], &task.initial);

@@ -84,21 +84,10 @@ static OPERATORS: [Operator<'static>; 2] = [
 impl Environment for Cover {
     type Action = Action;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        &CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &OPERATORS
-    }
+    const TYPES: &'static [ObjectType] = &TYPES;
+    const PREDICATES: &'static [Predicate<Self>] = &PREDICATES;
+    const CONTROLLERS: &'static [Controller<Self>] = &CONTROLLERS;
+    const OPERATORS: &'static [Operator<'static>] = &OPERATORS;
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         RULES.click(state, f64::from(action))

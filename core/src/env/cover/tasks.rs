@@ -47,7 +47,7 @@ impl Cover {
     /// [`Error::InvalidArgument`] if an object finds no room in 10 000 draws.
     pub fn task<G: Rng>(&self, index: usize, rng: &mut G) -> Result<Task, Error> {
         Ok(Task {
-            initial: perhaps_holding(self, &CENTRE, rng)?,
+            initial: perhaps_holding::<Self, G>(&CENTRE, rng)?,
             goal: goal(index, Self::COVERS)?,
         })
     }
@@ -61,7 +61,7 @@ impl CoverRegrasp {
     /// [`Error::InvalidArgument`] if an object finds no room in 10 000 draws.
     pub fn task<G: Rng>(&self, index: usize, rng: &mut G) -> Result<Task, Error> {
         Ok(Task {
-            initial: perhaps_holding(self, &CENTRE_AND_ENDS, rng)?,
+            initial: perhaps_holding::<Self, G>(&CENTRE_AND_ENDS, rng)?,
             goal: goal(index, Self::COVERS)?,
         })
     }
@@ -97,18 +97,14 @@ impl RegionalBumpyCover {
             *block = [1.0, 0.0, width, pose, NOT_HELD, bumpy];
         }
         Ok(Task {
-            initial: to_state(self, &blocks, HAND, targets)?,
+            initial: to_state::<Self, 6>(&blocks, HAND, targets)?,
             goal: goal(index, Self::COVERS)?,
         })
     }
 }
 
 /// A state in which a block may be held, at one of these places.
-fn perhaps_holding<E: Environment, G: Rng>(
-    environment: &E,
-    grasps: &[f64],
-    rng: &mut G,
-) -> Result<State, Error> {
+fn perhaps_holding<E: Environment, G: Rng>(grasps: &[f64], rng: &mut G) -> Result<State, Error> {
     let mut line = Line::default();
     let mut blocks = [[0.0; 5]; 2];
     for (block, width) in blocks.iter_mut().zip(BLOCK_WIDTHS) {
@@ -128,7 +124,7 @@ fn perhaps_holding<E: Environment, G: Rng>(
             hand = *pose + *grasp;
         }
     }
-    to_state(environment, &blocks, hand, targets)
+    to_state::<E, 5>(&blocks, hand, targets)
 }
 
 /// What lies on the line so far: the width and pose of each object.
@@ -173,12 +169,11 @@ impl Line {
 }
 
 fn to_state<E: Environment, const N: usize>(
-    environment: &E,
     blocks: &[[f64; N]; 2],
     hand: f64,
     targets: [f64; 2],
 ) -> Result<State, Error> {
-    let types = environment.types();
+    let types = E::TYPES;
     let mut state = State::new();
     for block in blocks {
         state.add(types, BLOCK_TYPE, block)?;
