@@ -1,8 +1,8 @@
 //! The learners behind one type, so that everything else is written once.
 
-use crate::precision::Precision;
+use crate::boundary::precision::Precision;
 #[cfg(feature = "f32")]
-use crate::precision::Single;
+use crate::boundary::precision::Single;
 use critreg_core::Error;
 use critreg_core::learn::version_space::{self, Evidence, VersionSpace};
 #[cfg(feature = "algorithm1")]

@@ -2,11 +2,11 @@
 
 use crate::any::Capacity;
 #[cfg(feature = "algorithm1")]
-use crate::pointer;
-use crate::precision::Precision;
+use crate::boundary::pointer;
+use crate::boundary::precision::Precision;
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::boundary::structs::{self, Versioned};
 use crate::report::critreg_progress;
-use crate::status::{Failure, Fallible, critreg_status, status_of};
-use crate::structs::{self, Versioned};
 use core::ffi::c_void;
 use core::mem::offset_of;
 use critreg_core::Error;

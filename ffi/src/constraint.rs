@@ -1,10 +1,10 @@
 //! The constraints of a region, one by one.
 
-use crate::pointer::Output;
+use crate::boundary::pointer::Output;
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::boundary::structs::{self, Versioned};
+use crate::boundary::text;
 use crate::region::{critreg_region, with_region};
-use crate::status::{Failure, Fallible, critreg_status, status_of};
-use crate::structs::{self, Versioned};
-use crate::text;
 use core::ffi::c_char;
 use core::fmt;
 use critreg_core::grammar::Constraint;

@@ -1,14 +1,14 @@
 //! Where the parts of a learner lie in its memory.
 
 use crate::any::{AnyLearner, Capacity, Kind};
+use crate::boundary::memory::{DomainLayout, Packer, Part, append};
+use crate::boundary::precision::Precision;
+#[cfg(feature = "f32")]
+use crate::boundary::precision::Single;
+use crate::boundary::status::Fallible;
 use crate::config::critreg_config;
 use crate::learner::critreg_learner;
-use crate::memory::{DomainLayout, Packer, Part, append};
-use crate::precision::Precision;
-#[cfg(feature = "f32")]
-use crate::precision::Single;
 use crate::region::critreg_region;
-use crate::status::Fallible;
 use critreg_core::domain::{Domain, Node};
 use critreg_core::learn::Observation;
 use critreg_core::learn::version_space::{self, Cover, Evidence, Sample, Span, VersionSpace};
@@ -296,7 +296,7 @@ impl LearnerLayout {
 
 /// The macro CRITREG_LEARNER_WORDS_FOR of the header, in bytes.
 const fn promised(forms: usize, observations: usize, instances: usize, steps: usize) -> usize {
-    use crate::memory::*;
+    use crate::boundary::limits::*;
     let lefts = if forms / 128 < 48 { forms / 128 } else { 48 } + 16;
     let per_form = CRITREG_SPAN_BYTES * steps + 16 * observations.div_ceil(64);
     CRITREG_LEARNER_FIXED_BYTES

@@ -1,17 +1,20 @@
 //! A learner in the caller's memory.
 
 use crate::any::AnyLearner;
+use crate::boundary::handle::{self, Handle};
+use crate::boundary::limits::CRITREG_DOMAIN_TEXT_MAX;
+use crate::boundary::memory::ALIGNMENT;
+use crate::boundary::pointer::{self, Output};
+use crate::boundary::status::{
+    CRITREG_BUSY, CRITREG_OK, Failure, Fallible, critreg_status, status_of,
+};
 use crate::config::{
     self, CRITREG_DEFAULT_HYPOTHESES, CRITREG_MAX_DEFAULT_HYPOTHESES, FEWEST_HYPOTHESES,
     critreg_config,
 };
-use crate::handle::{self, Handle};
 use crate::layout::LearnerLayout;
-use crate::memory::{ALIGNMENT, CRITREG_DOMAIN_TEXT_MAX};
-use crate::pointer::{self, Output};
 use crate::region::critreg_region;
 use crate::report::{critreg_progress, critreg_report};
-use crate::status::{CRITREG_BUSY, CRITREG_OK, Failure, Fallible, critreg_status, status_of};
 use core::cell::{Cell, RefCell};
 use core::ffi::{c_char, c_void};
 use critreg_core::domain::Domain;

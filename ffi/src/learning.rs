@@ -1,13 +1,15 @@
 //! Asking and telling.
 
-use crate::handle;
+use crate::boundary::handle;
+use crate::boundary::pointer::{self, Output, OutputArray};
+use crate::boundary::status::{
+    Failure, Fallible, Message, critreg_status, status_of, stop_unless_ok,
+};
+use crate::boundary::structs;
+use crate::boundary::text;
 use crate::learner::{Inner, critreg_learner, problem, with_learner};
-use crate::pointer::{self, Output, OutputArray};
 use crate::region::critreg_region;
 use crate::report::critreg_report;
-use crate::status::{Failure, Fallible, Message, critreg_status, status_of, stop_unless_ok};
-use crate::structs;
-use crate::text;
 use core::ffi::{c_char, c_void};
 use critreg_core::learn::{Answer, Learner as _, Problem, Query};
 

@@ -8,10 +8,8 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | [`status`] | status codes and the words for them |
-//! | [`memory`] | how much memory a handle takes |
+//! | [`boundary`] | what comes from C and what goes back: statuses, pointers, memory |
 //! | [`config`] | what a learner is told to do |
-//! | [`precision`] | what numbers are computed with |
 //! | [`report`] | how learning went |
 //! | [`learner`] | a learner in the caller's memory |
 //! | [`learning`] | asking and telling |
@@ -23,18 +21,17 @@
 //! | [`planner`] | a planner in the caller's memory |
 //! | [`planner_callbacks`] | what a planner asks the program |
 //! | [`planning`], [`planner_metrics`] | planning, the plan, what it cost |
-//! | [`rng`] | random numbers |
 //! | [`check`] | what is wrong with a text, in words |
 //! | [`stick_button`], [`stick_button_world`] | the built-in environment, to learn and to plan in |
 //!
 //! # Why it is sound
 //! - The parts of a handle are cut out of the caller's memory without overlap (the
-//!   `memory`, `layout` and `planner_layout` modules compute their places and nothing
+//!   `layout` and `planner_layout` modules and `boundary::memory` compute their places and nothing
 //!   else does), so no reference to one covers another. `'static` in their types
 //!   means: as long as the caller lends the memory, which the header makes the
 //!   caller's promise.
 //! - All that a learner or planner changes is behind a `RefCell`. A callback that calls back
-//!   finds it borrowed and gets [`status::CRITREG_BUSY`].
+//!   finds it borrowed and gets [`boundary::status::CRITREG_BUSY`].
 //! - A handle is used only if it carries its seal, which depends on its address:
 //!   memory that is no handle, was retired or was moved is refused.
 //! - Nothing here panics. If something did, `extern "C"` would abort instead of
@@ -59,14 +56,13 @@
 extern crate std;
 
 mod any;
+pub mod boundary;
 pub mod check;
 pub mod config;
 pub mod constraint;
-mod handle;
 mod layout;
 pub mod learner;
 pub mod learning;
-pub mod memory;
 pub mod planner;
 pub mod planner_callbacks;
 pub mod planner_config;
@@ -75,18 +71,12 @@ pub mod planner_metrics;
 mod planner_names;
 mod planner_world;
 pub mod planning;
-mod pointer;
-pub mod precision;
 pub mod region;
 pub mod report;
-pub mod rng;
 pub mod sampling;
 pub mod saving;
-pub mod status;
 pub mod stick_button;
 pub mod stick_button_world;
-mod structs;
-mod text;
 
 #[cfg(all(feature = "halt", not(feature = "std"), not(test), panic = "unwind"))]
 compile_error!("there is nothing to unwind into: build with panic = \"abort\"");

@@ -1,15 +1,15 @@
 //! A planner in the caller's memory.
 
-use crate::handle::{self, Handle};
-use crate::memory::ALIGNMENT;
+use crate::boundary::handle::{self, Handle};
+use crate::boundary::memory::ALIGNMENT;
+use crate::boundary::pointer::{self, Output};
+use crate::boundary::status::{
+    CRITREG_BUSY, CRITREG_OK, Failure, Fallible, Message, critreg_status, status_of,
+};
+use crate::boundary::text;
 use crate::planner_config::{self, critreg_planner_config};
 use crate::planner_layout::{PlannerLayout, Ranges, Tables};
 use crate::planner_metrics::critreg_metrics;
-use crate::pointer::{self, Output};
-use crate::status::{
-    CRITREG_BUSY, CRITREG_OK, Failure, Fallible, Message, critreg_status, status_of,
-};
-use crate::text;
 use core::cell::{Cell, RefCell};
 use core::ffi::{c_char, c_void};
 use core::fmt;

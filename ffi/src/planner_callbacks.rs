@@ -1,10 +1,10 @@
 //! What a planner asks the program.
 
-use crate::memory::CRITREG_MAX_PARAMETERS;
+use crate::boundary::limits::CRITREG_MAX_PARAMETERS;
+use crate::boundary::rng::critreg_rng;
+use crate::boundary::status::{critreg_status, status_of};
+use crate::boundary::structs::{self, Versioned};
 use crate::planner_config::CRITREG_MAX_ARGUMENTS;
-use crate::rng::critreg_rng;
-use crate::status::{critreg_status, status_of};
-use crate::structs::{self, Versioned};
 use core::ffi::{c_char, c_void};
 
 /// A ground atom or a ground operator: a predicate, or a PDDL action, with its
@@ -232,7 +232,7 @@ impl critreg_callbacks {
     /// many bytes are.
     pub(crate) unsafe fn read(
         callbacks: *const critreg_callbacks,
-    ) -> crate::status::Fallible<critreg_callbacks> {
+    ) -> crate::boundary::status::Fallible<critreg_callbacks> {
         // SAFETY: by this function's contract; a callback is NULL or a function.
         unsafe { structs::read(callbacks, NOTHING, "callbacks") }
     }

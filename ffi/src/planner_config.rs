@@ -1,7 +1,7 @@
 //! What a planner is told to do, and what it has room for.
 
-use crate::status::{Failure, Fallible, critreg_status, status_of};
-use crate::structs::{self, Versioned};
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::boundary::structs::{self, Versioned};
 use critreg_core::plan::{self, Heuristic, MAX_SKELETON};
 use critreg_core::task::MAX_ARGUMENTS;
 

@@ -1,11 +1,11 @@
 //! Where the parts of a planner lie in its memory.
 
-use crate::memory::{self, Packer, Part, append};
+use crate::boundary::memory::{self, Packer, Part, append};
+use crate::boundary::status::Fallible;
 use crate::planner::critreg_planner;
 use crate::planner_callbacks::{CRITREG_MAX_REASONS, critreg_ground};
 use crate::planner_config::PlannerCapacity;
 use crate::planner_names::Names;
-use crate::status::Fallible;
 use core::cell::Cell;
 use critreg_core::Error;
 use critreg_core::domain::MAX_PARAMETERS;
@@ -239,7 +239,7 @@ fn step(state: Numbers) -> Step<Numbers> {
 
 /// The macro CRITREG_PLANNER_WORDS_FOR of the header, in bytes.
 const fn promised(capacity: PlannerCapacity) -> usize {
-    use crate::memory::*;
+    use crate::boundary::limits::*;
     const POINTER: usize = size_of::<*const u8>();
     CRITREG_PLANNER_FIXED_BYTES
         + CRITREG_PLANNER_POINTERS * POINTER

@@ -1,12 +1,12 @@
 //! What planning cost, and what stood in its way, for C.
 
-use crate::handle;
+use crate::boundary::handle;
+use crate::boundary::pointer::Output;
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::boundary::structs::{self, Versioned};
 use crate::planner::{Inner, critreg_planner, with_planner};
 use crate::planner_callbacks::CRITREG_NO_REASON;
 use crate::planner_names::Names;
-use crate::pointer::Output;
-use crate::status::{Failure, Fallible, critreg_status, status_of};
-use crate::structs::{self, Versioned};
 use core::ffi::c_char;
 use critreg_core::Error;
 use critreg_core::plan::{Conclusion, Metrics, ReasonId};

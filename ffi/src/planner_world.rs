@@ -1,13 +1,13 @@
 //! The program's callbacks as the world, the sampler and the guide of a planning.
 
+use crate::boundary::rng::critreg_rng_seed;
+use crate::boundary::status::{CRITREG_EMPTY_REGION, Failure, Fallible, stop_unless_ok};
 use crate::planner_callbacks::{
     CRITREG_KEEP, CRITREG_NO_REASON, CRITREG_POSTPONE, CRITREG_PRUNE, critreg_advise,
     critreg_callbacks, critreg_draw, critreg_drawn, critreg_ground,
 };
 use crate::planner_layout::{Numbers, Ranges};
 use crate::planner_names::Names;
-use crate::rng::critreg_rng_seed;
-use crate::status::{CRITREG_EMPTY_REGION, Failure, Fallible, stop_unless_ok};
 use core::cell::Cell;
 use core::ffi::c_void;
 use critreg_core::Error;

@@ -1,14 +1,14 @@
 //! Planning, and what comes of it.
 
-use crate::memory::CRITREG_MAX_PARAMETERS;
+use crate::boundary::limits::CRITREG_MAX_PARAMETERS;
+use crate::boundary::pointer;
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::boundary::structs::{self, Versioned};
 use crate::planner::{Inner, critreg_planner, with_planner};
 use crate::planner_callbacks::{critreg_callbacks, critreg_ground};
 use crate::planner_layout::Tables;
 use crate::planner_metrics::{critreg_metrics, verdict};
 use crate::planner_world::{Advisor, Draws, Program};
-use crate::pointer;
-use crate::status::{Failure, Fallible, critreg_status, status_of};
-use crate::structs::{self, Versioned};
 use core::ffi::c_void;
 use critreg_core::Error;
 use critreg_core::plan::{AbstractTask, HeuristicMemory, Memory, Planner, SearchMemory};

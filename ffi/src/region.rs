@@ -1,11 +1,12 @@
 //! Regions in memory, as text and as bytes.
 
-use crate::handle::{self, Handle};
-use crate::memory::{ALIGNMENT, CRITREG_DOMAIN_TEXT_MAX, RegionLayout};
-use crate::pointer::{self, Output};
-use crate::precision::Precision;
-use crate::status::{Failure, Fallible, critreg_status, status_of};
-use crate::text;
+use crate::boundary::handle::{self, Handle};
+use crate::boundary::limits::CRITREG_DOMAIN_TEXT_MAX;
+use crate::boundary::memory::{ALIGNMENT, RegionLayout};
+use crate::boundary::pointer::{self, Output};
+use crate::boundary::precision::Precision;
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::boundary::text;
 use core::ffi::{c_char, c_void};
 use core::fmt;
 use critreg_core::Error;

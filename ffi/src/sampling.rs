@@ -1,11 +1,11 @@
 //! What a region says about an instance: membership, intervals, samples.
 
-use crate::handle;
-use crate::pointer::{self, Output, OutputArray};
-use crate::precision::{Precision, in_precision};
+use crate::boundary::handle;
+use crate::boundary::pointer::{self, Output, OutputArray};
+use crate::boundary::precision::{Precision, in_precision};
+use crate::boundary::rng::{critreg_rng, with_rng};
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::region::{critreg_region, with_region};
-use crate::rng::{critreg_rng, with_rng};
-use crate::status::{Failure, Fallible, critreg_status, status_of};
 use critreg_core::Error;
 use critreg_core::real::Real;
 use critreg_core::region::{Intersection, Part, Theta};

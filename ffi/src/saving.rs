@@ -1,9 +1,9 @@
 //! Saving a run and resuming it.
 
+use crate::boundary::pointer;
+use crate::boundary::status::critreg_status;
+use crate::boundary::text;
 use crate::learner::{critreg_learner, problem, with_learner};
-use crate::pointer;
-use crate::status::critreg_status;
-use crate::text;
 use critreg_core::learn;
 
 /// Saves what a learner was told, so that a run can be resumed: versioned,

@@ -1,9 +1,9 @@
 //! The built-in stick-button environment, to plan in.
 
+use crate::boundary::pointer::{self, Output, OutputArray};
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::planner_callbacks::critreg_ground;
 use crate::planner_world::rounded;
-use crate::pointer::{self, Output, OutputArray};
-use crate::status::{Failure, Fallible, critreg_status, status_of};
 use crate::stick_button::{all_finite, environment_of};
 use core::ffi::c_void;
 use core::fmt::Write as _;

@@ -179,7 +179,7 @@ fn no_function_is_left_out() {
 /// The generator that C copies about is the generator of the library.
 #[test]
 fn the_stream_of_random_numbers_is_that_of_the_core() {
-    use critreg_ffi::rng::{critreg_rng_seed, critreg_rng_uniform};
+    use critreg_ffi::boundary::rng::{critreg_rng_seed, critreg_rng_uniform};
     let mut expected = critreg::random::generator(7);
     let mut rng = critreg_rng_seed(7);
     for _ in 0..100 {

@@ -122,8 +122,9 @@ fn learning_skills_and_planning_with_them() {
 mod c {
     use super::{calls, instances};
     use critreg_ffi::{
-        learner::*, learning::*, planner::*, planner_callbacks::*, planner_config::*, planning::*,
-        region::*, rng::*, sampling::*, saving::*, stick_button::*, stick_button_world::*,
+        boundary::rng::*, learner::*, learning::*, planner::*, planner_callbacks::*,
+        planner_config::*, planning::*, region::*, sampling::*, saving::*, stick_button::*,
+        stick_button_world::*,
     };
     use std::ffi::{CStr, c_char};
     use std::mem::zeroed;

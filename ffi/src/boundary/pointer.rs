@@ -1,6 +1,6 @@
 //! Checks of what comes from C, and writing what goes back.
 
-use crate::status::{Failure, Fallible};
+use crate::boundary::status::{Failure, Fallible};
 use core::ffi::{CStr, c_char};
 use critreg_core::Error;
 

@@ -1,8 +1,8 @@
 //! Structs of the caller that start with their size, so that programs compiled
 //! with an older header get as much of them as they know.
 
-use crate::pointer;
-use crate::status::{Failure, Fallible};
+use crate::boundary::pointer;
+use crate::boundary::status::{Failure, Fallible};
 use core::mem::MaybeUninit;
 
 /// Checks a `struct_size` against the first version of a struct and this one.

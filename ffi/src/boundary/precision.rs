@@ -1,6 +1,6 @@
 //! What numbers learners and regions compute with. C speaks double throughout.
 
-use crate::status::{Failure, Fallible};
+use crate::boundary::status::{Failure, Fallible};
 
 /// For critreg_config.precision: computing with double, the default. The same inputs
 /// give the same bytes on every machine.
@@ -81,12 +81,12 @@ macro_rules! in_precision {
     ($precision:expr, $real:ident => $body:expr) => {
         match $precision {
             #[cfg(feature = "f32")]
-            $crate::precision::Precision::Single => {
-                type $real = $crate::precision::Single;
+            $crate::boundary::precision::Precision::Single => {
+                type $real = $crate::boundary::precision::Single;
                 $body
             }
             #[cfg(feature = "f64")]
-            $crate::precision::Precision::Double => {
+            $crate::boundary::precision::Precision::Double => {
                 type $real = f64;
                 $body
             }

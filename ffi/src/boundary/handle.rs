@@ -1,7 +1,7 @@
 //! Handles: what a C program gets a pointer to, in memory that it lends.
 
-use crate::pointer;
-use crate::status::{Failure, Fallible};
+use crate::boundary::pointer;
+use crate::boundary::status::{Failure, Fallible};
 
 /// A handle carries a seal that depends on its kind and address, so that memory
 /// that is no handle, was retired or was moved is refused.

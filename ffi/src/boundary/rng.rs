@@ -1,7 +1,7 @@
 //! Random numbers by value.
 
-use crate::pointer;
-use crate::status::{Fallible, critreg_status, status_of};
+use crate::boundary::pointer;
+use crate::boundary::status::{Fallible, critreg_status, status_of};
 use critreg_core::random::{Generator, generator, uniform};
 
 /// A generator of random numbers (PCG XSH-RR 64/32): the same stream on every

@@ -1,7 +1,7 @@
 //! Text and bytes that go into a buffer of the caller.
 
-use crate::pointer;
-use crate::status::{Failure, Fallible};
+use crate::boundary::pointer;
+use crate::boundary::status::{Failure, Fallible};
 use core::ffi::c_char;
 use core::fmt;
 use critreg_core::text::TextBuffer;
