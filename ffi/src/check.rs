@@ -6,7 +6,7 @@ use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::text;
 use crate::planner::read_texts;
 use crate::planner_layout::MAX_FACTS;
-use crate::region::REGION_TEXT_MAX;
+use crate::region::making::REGION_TEXT_MAX;
 use core::ffi::c_char;
 use core::fmt;
 use critreg_core::domain::Domain;

@@ -13,7 +13,7 @@ use crate::config::{
     critreg_config,
 };
 use crate::layout::LearnerLayout;
-use crate::region::critreg_region;
+use crate::region::handle::critreg_region;
 use crate::report::{critreg_progress, critreg_report};
 use core::cell::{Cell, RefCell};
 use core::ffi::{c_char, c_void};

@@ -8,7 +8,7 @@ use crate::boundary::status::{
 use crate::boundary::structs;
 use crate::boundary::text;
 use crate::learner::{Inner, critreg_learner, problem, with_learner};
-use crate::region::critreg_region;
+use crate::region::handle::critreg_region;
 use crate::report::critreg_report;
 use core::ffi::{c_char, c_void};
 use critreg_core::learn::{Answer, Learner as _, Problem, Query};

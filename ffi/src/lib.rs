@@ -14,9 +14,7 @@
 //! | [`learner`] | a learner in the caller's memory |
 //! | [`learning`] | asking and telling |
 //! | [`saving`] | saving a run and resuming it |
-//! | [`region`] | regions in memory, as text and as bytes |
-//! | [`constraint`] | the constraints of a region, one by one |
-//! | [`sampling`] | what a region says about an instance: samples |
+//! | [`region`] | regions: as text and as bytes, their constraints, samples |
 //! | [`planner_config`] | what a planner is told to do |
 //! | [`planner`] | a planner in the caller's memory |
 //! | [`planner_callbacks`] | what a planner asks the program |
@@ -59,7 +57,6 @@ mod any;
 pub mod boundary;
 pub mod check;
 pub mod config;
-pub mod constraint;
 mod layout;
 pub mod learner;
 pub mod learning;
@@ -73,7 +70,6 @@ mod planner_world;
 pub mod planning;
 pub mod region;
 pub mod report;
-pub mod sampling;
 pub mod saving;
 pub mod stick_button;
 pub mod stick_button_world;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 22] = [
     "boundary/status.rs",
     "boundary/limits.rs",
     "boundary/precision.rs",
@@ -13,9 +13,11 @@ const SOURCES: [&str; 20] = [
     "learner.rs",
     "learning.rs",
     "saving.rs",
-    "region.rs",
-    "constraint.rs",
-    "sampling.rs",
+    "region/handle.rs",
+    "region/making.rs",
+    "region/writing.rs",
+    "region/constraint.rs",
+    "region/sampling.rs",
     "boundary/rng.rs",
     "planner_config.rs",
     "planner.rs",

@@ -123,8 +123,8 @@ mod c {
     use super::{calls, instances};
     use critreg_ffi::{
         boundary::rng::*, learner::*, learning::*, planner::*, planner_callbacks::*,
-        planner_config::*, planning::*, region::*, sampling::*, saving::*, stick_button::*,
-        stick_button_world::*,
+        planner_config::*, planning::*, region::sampling::*, region::writing::*, saving::*,
+        stick_button::*, stick_button_world::*,
     };
     use std::ffi::{CStr, c_char};
     use std::mem::zeroed;

@@ -1,14 +1,8 @@
-//! How much memory a handle takes, and where its parts lie in it. One layout
-//! answers the question for the size and cuts the memory up. Those of regions stand
-//! here, those of learners in `layout`.
+//! The parts of a handle in the caller's memory: a layout puts them one behind the other,
+//! tells how long they are together, and cuts the memory up.
 
-use crate::boundary::limits::{
-    CRITREG_DOMAIN_TEXT_MAX, CRITREG_HANDLE_POINTERS, CRITREG_REGION_FIXED_BYTES,
-};
 use crate::boundary::status::{Failure, Fallible};
-use crate::region::critreg_region;
 use core::marker::PhantomData;
-use critreg_core::domain::Domain;
 
 /// Alignment of all handles: memory made of `uint64_t` always fits.
 pub(crate) const ALIGNMENT: usize = align_of::<u64>();
@@ -116,50 +110,6 @@ macro_rules! append {
 }
 pub(crate) use append;
 
-/// The parts of a region with memory of its own.
-pub(crate) struct RegionLayout {
-    pub(crate) handle: Part<critreg_region>,
-    pub(crate) domain: DomainLayout,
-    pub(crate) size: usize,
-}
-
-/// A domain and the text that it borrows its names from.
-pub(crate) struct DomainLayout {
-    domain: Part<Domain<'static>>,
-    text: Part<u8>,
-}
-
-impl DomainLayout {
-    pub(crate) const fn new(packer: &mut Packer) -> Option<DomainLayout> {
-        Some(DomainLayout {
-            domain: append!(packer, 1),
-            text: append!(packer, CRITREG_DOMAIN_TEXT_MAX),
-        })
-    }
-
-    /// Copies a text of less than [`CRITREG_DOMAIN_TEXT_MAX`] bytes and reads the
-    /// domain from the copy.
-    ///
-    /// # Safety
-    /// As for [`Part::fill`]; `text` does not lie in the memory.
-    pub(crate) unsafe fn put(
-        &self,
-        memory: *mut u8,
-        text: &str,
-    ) -> Fallible<&'static Domain<'static>> {
-        // SAFETY: by this function's contract; the two parts do not overlap, and
-        // after this function both are only read.
-        let (place, room) = unsafe { (self.domain.place(memory), self.text.fill(memory, 0)) };
-        // SAFETY: as above; a domain needs no drop, so what was there may be lost.
-        let domain = unsafe {
-            place.write(Domain::empty());
-            &mut *place
-        };
-        domain.read(copy_text(text, room)?)?;
-        Ok(domain)
-    }
-}
-
 /// Copies a text to the beginning of a room that is at least as long.
 pub(crate) fn copy_text(text: &str, room: &'static mut [u8]) -> Fallible<&'static str> {
     for (slot, byte) in room.iter_mut().zip(text.bytes()) {
@@ -169,27 +119,3 @@ pub(crate) fn copy_text(text: &str, room: &'static mut [u8]) -> Fallible<&'stati
     let copied = core::str::from_utf8(copied);
     copied.map_err(|_| Failure::invalid("the text is not UTF-8"))
 }
-
-impl RegionLayout {
-    pub(crate) const fn new() -> Option<RegionLayout> {
-        let mut packer = Packer { size: 0 };
-        let handle = append!(packer, 1);
-        let Some(domain) = DomainLayout::new(&mut packer) else {
-            return None;
-        };
-        Some(RegionLayout {
-            handle,
-            domain,
-            size: packer.size,
-        })
-    }
-}
-
-// The macro of the header promises enough memory; on every target that is built.
-const _: () = {
-    const POINTERS: usize = CRITREG_HANDLE_POINTERS * size_of::<*const u8>();
-    let Some(region) = RegionLayout::new() else {
-        panic!()
-    };
-    assert!(CRITREG_REGION_FIXED_BYTES + POINTERS >= region.size);
-};

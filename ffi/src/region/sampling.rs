@@ -5,7 +5,7 @@ use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::precision::{Precision, in_precision};
 use crate::boundary::rng::{critreg_rng, with_rng};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
-use crate::region::{critreg_region, with_region};
+use crate::region::handle::{critreg_region, with_region};
 use critreg_core::Error;
 use critreg_core::real::Real;
 use critreg_core::region::{Intersection, Part, Theta};

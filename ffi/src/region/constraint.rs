@@ -4,7 +4,7 @@ use crate::boundary::pointer::Output;
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
 use crate::boundary::text;
-use crate::region::{critreg_region, with_region};
+use crate::region::handle::{critreg_region, with_region};
 use core::ffi::c_char;
 use core::fmt;
 use critreg_core::grammar::Constraint;
