@@ -9,11 +9,7 @@
 //! | module | content |
 //! |---|---|
 //! | [`boundary`] | what comes from C and what goes back: statuses, pointers, memory |
-//! | [`config`] | what a learner is told to do |
-//! | [`report`] | how learning went |
-//! | [`learner`] | a learner in the caller's memory |
-//! | [`learning`] | asking and telling |
-//! | [`saving`] | saving a run and resuming it |
+//! | [`learner`] | learners: what they are told to do, asking and telling, how it went, saving |
 //! | [`region`] | regions: as text and as bytes, their constraints, samples |
 //! | [`planner_config`] | what a planner is told to do |
 //! | [`planner`] | a planner in the caller's memory |
@@ -53,13 +49,9 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-mod any;
 pub mod boundary;
 pub mod check;
-pub mod config;
-mod layout;
 pub mod learner;
-pub mod learning;
 pub mod planner;
 pub mod planner_callbacks;
 pub mod planner_config;
@@ -69,8 +61,6 @@ mod planner_names;
 mod planner_world;
 pub mod planning;
 pub mod region;
-pub mod report;
-pub mod saving;
 pub mod stick_button;
 pub mod stick_button_world;
 

@@ -4,15 +4,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 22] = [
+const SOURCES: [&str; 24] = [
     "boundary/status.rs",
     "boundary/limits.rs",
     "boundary/precision.rs",
-    "report.rs",
-    "config.rs",
-    "learner.rs",
-    "learning.rs",
-    "saving.rs",
+    "learner/report.rs",
+    "learner/config.rs",
+    "learner/handle.rs",
+    "learner/making.rs",
+    "learner/learning.rs",
+    "learner/inspection.rs",
+    "learner/saving.rs",
     "region/handle.rs",
     "region/making.rs",
     "region/writing.rs",
@@ -135,8 +137,10 @@ fn the_memory_of_a_planner_is_true() {
 #[test]
 #[cfg(target_pointer_width = "64")]
 fn the_table_of_memory_is_true() {
-    use critreg_ffi::config::{CRITREG_ALGORITHM1, CRITREG_VERSION_SPACE, critreg_config_init};
-    use critreg_ffi::learner::critreg_learner_size;
+    use critreg_ffi::learner::config::{
+        CRITREG_ALGORITHM1, CRITREG_VERSION_SPACE, critreg_config_init,
+    };
+    use critreg_ffi::learner::making::critreg_learner_size;
     let size = |learner: u32, hypotheses: usize, observations: usize| {
         let mut config = std::mem::MaybeUninit::uninit();
         // SAFETY: the pointer is to a variable of the size told, which is

@@ -122,9 +122,15 @@ fn learning_skills_and_planning_with_them() {
 mod c {
     use super::{calls, instances};
     use critreg_ffi::{
-        boundary::rng::*, learner::*, learning::*, planner::*, planner_callbacks::*,
-        planner_config::*, planning::*, region::sampling::*, region::writing::*, saving::*,
-        stick_button::*, stick_button_world::*,
+        boundary::rng::*,
+        learner::{learning::*, making::*, saving::*},
+        planner::*,
+        planner_callbacks::*,
+        planner_config::*,
+        planning::*,
+        region::{sampling::*, writing::*},
+        stick_button::*,
+        stick_button_world::*,
     };
     use std::ffi::{CStr, c_char};
     use std::mem::zeroed;

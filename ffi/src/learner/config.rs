@@ -1,12 +1,12 @@
 //! What a learner is told to do.
 
-use crate::any::Capacity;
 #[cfg(feature = "algorithm1")]
 use crate::boundary::pointer;
 use crate::boundary::precision::Precision;
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
-use crate::report::critreg_progress;
+use crate::learner::any::Capacity;
+use crate::learner::report::critreg_progress;
 use core::ffi::c_void;
 use core::mem::offset_of;
 use critreg_core::Error;

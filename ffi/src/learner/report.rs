@@ -1,8 +1,8 @@
 //! How learning went, for C.
 
-use crate::any::{AnyLearner, Report};
 use crate::boundary::status::{critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
+use crate::learner::any::{AnyLearner, Report};
 use core::ffi::c_void;
 #[cfg(feature = "algorithm1")]
 use critreg_core::learn;

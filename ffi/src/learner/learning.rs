@@ -1,16 +1,10 @@
 //! Asking and telling.
 
-use crate::boundary::handle;
 use crate::boundary::pointer::{self, Output, OutputArray};
-use crate::boundary::status::{
-    Failure, Fallible, Message, critreg_status, status_of, stop_unless_ok,
-};
-use crate::boundary::structs;
-use crate::boundary::text;
-use crate::learner::{Inner, critreg_learner, problem, with_learner};
+use crate::boundary::status::{Failure, Fallible, critreg_status, stop_unless_ok};
+use crate::learner::handle::{Inner, critreg_learner, problem, with_learner};
 use crate::region::handle::critreg_region;
-use crate::report::critreg_report;
-use core::ffi::{c_char, c_void};
+use core::ffi::c_void;
 use critreg_core::learn::{Answer, Learner as _, Problem, Query};
 
 /// What came of an action: CRITREG_FEASIBLE, or the number of the step of an
@@ -117,7 +111,7 @@ pub unsafe extern "C" fn critreg_learn_region(
                 inner.learner.tell(&problem, answer(outcome)?)?;
                 show_progress(handle, inner)?;
             }
-            let learned = give_region(handle, inner)?;
+            let learned = inner.give_region(handle.domain)?;
             if !region.is_null() {
                 region.write(learned);
             }
@@ -148,25 +142,6 @@ fn answer(outcome: critreg_outcome) -> Fallible<Answer> {
         Ok(step) => Ok(Answer::FailedStep(step)),
         Err(_) => Err(Failure::invalid("the outcome is negative or was not set")),
     }
-}
-
-/// Copies the learned region into its handle. The copy is what makes the handle
-/// refer to no memory that the learner writes to.
-#[inline(never)]
-fn give_region(handle: &critreg_learner, inner: &mut Inner) -> Fallible<*const critreg_region> {
-    let region = inner.learner.region()?;
-    // SAFETY: the region's part is reserved for the handle; the header forbids to
-    // use the handle while a function runs that may change the learner.
-    unsafe {
-        critreg_region::put(
-            inner.region,
-            handle.domain,
-            region,
-            inner.learner.precision(),
-            inner.learner.evidence(),
-        )
-    };
-    Ok(inner.region)
 }
 
 /// Tells which sample to try next. Asking again before telling gives the same one.
@@ -243,96 +218,5 @@ pub unsafe extern "C" fn critreg_tell(
             inner.retire_region();
             Ok(())
         })
-    }
-}
-
-/// Whether there is nothing more to ask.
-///
-/// @param learner The learner; may be called from its callbacks.
-/// @param finished Receives 1 or 0.
-/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn critreg_is_finished(
-    learner: *const critreg_learner,
-    finished: *mut i32,
-) -> critreg_status {
-    // SAFETY: the header makes it the caller's promise.
-    let answer = unsafe { handle::open(learner) }.and_then(|handle| {
-        // SAFETY: as above.
-        let output = unsafe { Output::new(finished, "finished")? };
-        output.write(i32::from(handle.finished.get()));
-        Ok(())
-    });
-    status_of(answer)
-}
-
-/// What is learned so far.
-///
-/// @param learner The learner.
-/// @param region Receives the region. It belongs to the learner and is valid until
-/// the next call of critreg_learn_region(), critreg_tell() or
-/// critreg_learner_resume() on it; after that using it gives
-/// CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
-/// what supports its constraints is not saved.
-/// @return CRITREG_NO_REGION if no constraint explains the observations;
-/// CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn critreg_learner_region(
-    learner: *mut critreg_learner,
-    region: *mut *const critreg_region,
-) -> critreg_status {
-    // SAFETY: the header makes it the caller's promise, for both.
-    unsafe {
-        with_learner(learner, |handle, inner| {
-            let output = Output::new(region, "region")?;
-            output.write(give_region(handle, inner)?);
-            Ok(())
-        })
-    }
-}
-
-/// How learning went so far.
-///
-/// @param learner The learner; may be called from its callbacks.
-/// @param report A report from critreg_report_init(), to be filled.
-/// @return CRITREG_INVALID_ARGUMENT if the report was not initialised;
-/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn critreg_learner_report(
-    learner: *const critreg_learner,
-    report: *mut critreg_report,
-) -> critreg_status {
-    // SAFETY: the header makes it the caller's promise, for both.
-    unsafe {
-        let handle = handle::open(learner);
-        status_of(handle.and_then(|handle| structs::write(handle.report.get(), report, "report")))
-    }
-}
-
-/// Why the last call on this learner failed that did fail, in words; an empty text
-/// if none did. Calls that take the learner as const, and refusals with
-/// CRITREG_BUSY or CRITREG_NOT_A_HANDLE, leave no words.
-///
-/// @param learner The learner; may be called from its callbacks.
-/// @param text Receives the words, ended by NUL; 128 bytes are always enough.
-/// @param len Length of text in bytes; 0 to ask for the length only.
-/// @param needed NULL, or receives the length of the words with their NUL, also
-/// if the buffer is too small.
-/// @return CRITREG_TOO_SMALL (nothing but needed is written);
-/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn critreg_learner_message(
-    learner: *const critreg_learner,
-    text: *mut c_char,
-    len: usize,
-    needed: *mut usize,
-) -> critreg_status {
-    // SAFETY: the header makes it the caller's promise, for both.
-    unsafe {
-        let handle = handle::open(learner);
-        status_of(
-            handle
-                .and_then(|handle| text::write(&Message(handle.message.get()), text, len, needed)),
-        )
     }
 }

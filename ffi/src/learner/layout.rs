@@ -1,13 +1,13 @@
 //! Where the parts of a learner lie in its memory.
 
-use crate::any::{AnyLearner, Capacity, Kind};
 use crate::boundary::memory::{Packer, Part, append};
 use crate::boundary::precision::Precision;
 #[cfg(feature = "f32")]
 use crate::boundary::precision::Single;
 use crate::boundary::status::Fallible;
-use crate::config::critreg_config;
-use crate::learner::critreg_learner;
+use crate::learner::any::{AnyLearner, Capacity, Kind};
+use crate::learner::config::critreg_config;
+use crate::learner::handle::critreg_learner;
 use crate::region::handle::critreg_region;
 use crate::region::layout::DomainLayout;
 use critreg_core::domain::{Domain, Node};

@@ -3,7 +3,7 @@
 use crate::boundary::pointer;
 use crate::boundary::status::critreg_status;
 use crate::boundary::text;
-use crate::learner::{critreg_learner, problem, with_learner};
+use crate::learner::handle::{critreg_learner, problem, with_learner};
 use critreg_core::learn;
 
 /// Saves what a learner was told, so that a run can be resumed: versioned,

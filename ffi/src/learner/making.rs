@@ -1,118 +1,18 @@
-//! A learner in the caller's memory.
+//! Making a learner, and what its domain is like.
 
-use crate::any::AnyLearner;
-use crate::boundary::handle::{self, Handle};
+use crate::boundary::handle;
 use crate::boundary::limits::CRITREG_DOMAIN_TEXT_MAX;
 use crate::boundary::memory::ALIGNMENT;
 use crate::boundary::pointer::{self, Output};
-use crate::boundary::status::{
-    CRITREG_BUSY, CRITREG_OK, Failure, Fallible, critreg_status, status_of,
-};
-use crate::config::{
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::learner::config::{
     self, CRITREG_DEFAULT_HYPOTHESES, CRITREG_MAX_DEFAULT_HYPOTHESES, FEWEST_HYPOTHESES,
     critreg_config,
 };
-use crate::layout::LearnerLayout;
-use crate::region::handle::critreg_region;
-use crate::report::{critreg_progress, critreg_report};
-use core::cell::{Cell, RefCell};
+use crate::learner::handle::{Inner, critreg_learner};
+use crate::learner::layout::LearnerLayout;
 use core::ffi::{c_char, c_void};
 use critreg_core::domain::Domain;
-use critreg_core::learn::{Learner as _, Problem};
-
-/// A learner. It lies at the start of the memory it was made in.
-pub struct critreg_learner {
-    seal: usize,
-    /// What the last call left behind, also readable from a callback.
-    pub(crate) report: Cell<critreg_report>,
-    pub(crate) finished: Cell<bool>,
-    pub(crate) message: Cell<Option<Failure>>,
-    pub(crate) domain: &'static Domain<'static>,
-    inner: RefCell<Inner>,
-}
-
-/// What a call on a learner borrows.
-pub(crate) struct Inner {
-    pub(crate) learner: AnyLearner,
-    /// Room for the handle of the learned region; a part of the caller's memory.
-    pub(crate) region: *mut critreg_region,
-    pub(crate) progress: critreg_progress,
-    pub(crate) progress_data: *mut c_void,
-}
-
-impl Inner {
-    /// Makes the region handle that was given out unusable, because what it
-    /// describes is about to change.
-    pub(crate) fn retire_region(&mut self) {
-        // SAFETY: the region's part is reserved for the handle, and nothing refers
-        // to it while a function runs that changes the learner.
-        unsafe { handle::retire(self.region) }
-    }
-}
-
-// SAFETY: the seal is a word of the handle, and private.
-unsafe impl Handle for critreg_learner {
-    const KIND: u64 = 0x6C65_6172_6E65_7263;
-    const NAME: &'static str = "learner";
-
-    fn seal(handle: *const Self) -> *const usize {
-        // SAFETY: a place inside of the handle; nothing is read.
-        unsafe { &raw const (*handle).seal }
-    }
-}
-
-impl critreg_learner {
-    /// Takes over what the inner learner has to report.
-    #[inline(never)]
-    pub(crate) fn publish(&self, inner: &Inner) {
-        self.report.set(critreg_report::new(&inner.learner));
-        self.finished.set(inner.learner.is_finished());
-    }
-}
-
-/// Runs a call on a learner: refuses it if the learner is in use, and keeps the
-/// words about a failure.
-///
-/// # Safety
-/// As for [`handle::open`].
-pub(crate) unsafe fn with_learner(
-    learner: *mut critreg_learner,
-    body: impl FnOnce(&critreg_learner, &mut Inner) -> Fallible,
-) -> critreg_status {
-    // SAFETY: by this function's contract.
-    let handle = match unsafe { handle::open(learner) } {
-        Ok(handle) => handle,
-        Err(failure) => return failure.status(),
-    };
-    let Ok(mut inner) = handle.inner.try_borrow_mut() else {
-        return CRITREG_BUSY;
-    };
-    let result = body(handle, &mut inner);
-    handle.publish(&inner);
-    match result {
-        Ok(()) => CRITREG_OK,
-        Err(failure) => {
-            handle.message.set(Some(failure));
-            failure.status()
-        }
-    }
-}
-
-/// The problem that the caller's instances make with the learner's domain.
-///
-/// # Safety
-/// If not NULL and aligned, `instances` is readable for `count` instances.
-pub(crate) unsafe fn problem<'a>(
-    handle: &critreg_learner,
-    instances: *const f64,
-    count: usize,
-) -> Fallible<Problem<'a>> {
-    let numbers = handle.domain.instance_len().checked_mul(count);
-    let numbers = numbers.ok_or(Failure::invalid("count is too large"))?;
-    // SAFETY: by this function's contract.
-    let instances = unsafe { pointer::slice(instances, numbers, "instances")? };
-    Ok(Problem::new(handle.domain, instances, count)?)
-}
 
 /// How many bytes of memory a learner takes.
 ///
@@ -242,15 +142,7 @@ unsafe fn put(
         };
         inner.retire_region();
         let place = layout.handle.place(memory);
-        let made = critreg_learner {
-            seal: 0,
-            report: Cell::new(critreg_report::new(&inner.learner)),
-            finished: Cell::new(inner.learner.is_finished()),
-            message: Cell::new(None),
-            domain,
-            inner: RefCell::new(inner),
-        };
-        handle::put(place, made);
+        critreg_learner::put(place, domain, inner);
         Ok(place)
     }
 }
