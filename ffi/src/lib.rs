@@ -11,17 +11,13 @@
 //! | [`boundary`] | what comes from C and what goes back: statuses, pointers, memory |
 //! | [`learner`] | learners: what they are told to do, asking and telling, how it went, saving |
 //! | [`region`] | regions: as text and as bytes, their constraints, samples |
-//! | [`planner_config`] | what a planner is told to do |
-//! | [`planner`] | a planner in the caller's memory |
-//! | [`planner_callbacks`] | what a planner asks the program |
-//! | [`planning`], [`planner_metrics`] | planning, the plan, what it cost |
+//! | [`planner`] | the planner: what it asks the program, the plan, what it cost |
 //! | [`check`] | what is wrong with a text, in words |
 //! | [`stick_button`], [`stick_button_world`] | the built-in environment, to learn and to plan in |
 //!
 //! # Why it is sound
-//! - The parts of a handle are cut out of the caller's memory without overlap (the
-//!   `layout` and `planner_layout` modules and `boundary::memory` compute their places and nothing
-//!   else does), so no reference to one covers another. `'static` in their types
+//! - The parts of a handle are cut out of the caller's memory without overlap (each
+//!   room's `layout` computes their places by `boundary::memory`, and nothing else does), so no reference to one covers another. `'static` in their types
 //!   means: as long as the caller lends the memory, which the header makes the
 //!   caller's promise.
 //! - All that a learner or planner changes is behind a `RefCell`. A callback that calls back
@@ -53,13 +49,6 @@ pub mod boundary;
 pub mod check;
 pub mod learner;
 pub mod planner;
-pub mod planner_callbacks;
-pub mod planner_config;
-mod planner_layout;
-pub mod planner_metrics;
-mod planner_names;
-mod planner_world;
-pub mod planning;
 pub mod region;
 pub mod stick_button;
 pub mod stick_button_world;

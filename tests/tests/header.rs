@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 24] = [
+const SOURCES: [&str; 27] = [
     "boundary/status.rs",
     "boundary/limits.rs",
     "boundary/precision.rs",
@@ -21,11 +21,14 @@ const SOURCES: [&str; 24] = [
     "region/constraint.rs",
     "region/sampling.rs",
     "boundary/rng.rs",
-    "planner_config.rs",
-    "planner.rs",
-    "planner_callbacks.rs",
-    "planning.rs",
-    "planner_metrics.rs",
+    "planner/config.rs",
+    "planner/handle.rs",
+    "planner/making.rs",
+    "planner/callbacks.rs",
+    "planner/planning.rs",
+    "planner/step.rs",
+    "planner/metrics.rs",
+    "planner/inspection.rs",
     "check.rs",
     "stick_button.rs",
     "stick_button_world.rs",
@@ -109,8 +112,8 @@ fn everything_is_documented() {
 #[test]
 #[cfg(target_pointer_width = "64")]
 fn the_memory_of_a_planner_is_true() {
-    use critreg_ffi::planner::critreg_planner_size;
-    use critreg_ffi::planner_config::critreg_planner_config_init;
+    use critreg_ffi::planner::config::critreg_planner_config_init;
+    use critreg_ffi::planner::making::critreg_planner_size;
     let size = |state_len: u32| {
         let mut config = std::mem::MaybeUninit::uninit();
         // SAFETY: the pointer is to a variable of the size told, which is

@@ -124,10 +124,7 @@ mod c {
     use critreg_ffi::{
         boundary::rng::*,
         learner::{learning::*, making::*, saving::*},
-        planner::*,
-        planner_callbacks::*,
-        planner_config::*,
-        planning::*,
+        planner::{callbacks::*, config::*, making::*, planning::*},
         region::{sampling::*, writing::*},
         stick_button::*,
         stick_button_world::*,

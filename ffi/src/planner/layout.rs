@@ -2,45 +2,19 @@
 
 use crate::boundary::memory::{self, Packer, Part, append};
 use crate::boundary::status::Fallible;
-use crate::planner::critreg_planner;
-use crate::planner_callbacks::{CRITREG_MAX_REASONS, critreg_ground};
-use crate::planner_config::PlannerCapacity;
-use crate::planner_names::Names;
+use crate::planner::callbacks::{CRITREG_MAX_REASONS, critreg_ground};
+use crate::planner::config::PlannerCapacity;
+use crate::planner::handle::critreg_planner;
+use crate::planner::names::Names;
+use crate::planner::tables::{Numbers, Ranges, Tables};
 use core::cell::Cell;
 use critreg_core::Error;
-use critreg_core::domain::MAX_PARAMETERS;
 use critreg_core::pddl::{Domain, Grounding, MAX_ACTIONS, Problem};
 use critreg_core::plan::{self, Cached, Progress, SearchNode, Step, Waiting};
 use critreg_core::task::{Arguments, AtomSet, GroundAtom, GroundOperator, OperatorId};
 
 /// Most atoms of `:init`.
 pub(crate) const MAX_FACTS: usize = 512;
-
-/// The numbers of a state, in the caller's memory.
-pub(crate) type Numbers = &'static mut [f64];
-
-/// The ranges of an operator's parameters.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct Ranges {
-    ranges: [[f64; 2]; MAX_PARAMETERS],
-    count: usize,
-}
-
-impl Ranges {
-    /// These ranges; those beyond the last parameter are left out.
-    pub(crate) fn new(ranges: &[[f64; 2]]) -> Ranges {
-        let mut own = Ranges::default();
-        for (slot, range) in own.ranges.iter_mut().zip(ranges) {
-            *slot = *range;
-            own.count += 1;
-        }
-        own
-    }
-
-    pub(crate) fn as_slice(&self) -> &[[f64; 2]] {
-        self.ranges.get(..self.count).unwrap_or(&[])
-    }
-}
 
 /// The parts of a planner.
 pub(crate) struct PlannerLayout {
@@ -66,26 +40,6 @@ pub(crate) struct PlannerLayout {
     texts: Part<u8>,
     name_bytes: Part<u8>,
     pub(crate) size: usize,
-}
-
-/// The parts of a planner, filled.
-pub(crate) struct Tables {
-    pub(crate) problem: &'static Problem<'static>,
-    pub(crate) grounding: &'static Grounding<'static, 'static>,
-    pub(crate) names: &'static Names,
-    /// The ranges of each action.
-    pub(crate) ranges: &'static mut [Ranges],
-    pub(crate) operators: &'static [GroundOperator],
-    pub(crate) progress: &'static mut [Progress],
-    pub(crate) links: &'static mut [u16],
-    pub(crate) estimates: &'static mut [Cached],
-    pub(crate) nodes: &'static mut [SearchNode],
-    pub(crate) open: &'static mut [Waiting],
-    pub(crate) initial: Numbers,
-    pub(crate) steps: &'static mut [Step<Numbers>],
-    pub(crate) sequence: &'static [Cell<critreg_ground>],
-    pub(crate) failures: &'static mut [u32],
-    pub(crate) reasons: &'static mut [u32],
 }
 
 impl PlannerLayout {

@@ -4,7 +4,7 @@ use crate::boundary::limits::CRITREG_MAX_PARAMETERS;
 use crate::boundary::rng::critreg_rng;
 use crate::boundary::status::{critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
-use crate::planner_config::CRITREG_MAX_ARGUMENTS;
+use crate::planner::config::CRITREG_MAX_ARGUMENTS;
 use core::ffi::{c_char, c_void};
 
 /// A ground atom or a ground operator: a predicate, or a PDDL action, with its

@@ -2,12 +2,12 @@
 
 use crate::boundary::rng::critreg_rng_seed;
 use crate::boundary::status::{CRITREG_EMPTY_REGION, Failure, Fallible, stop_unless_ok};
-use crate::planner_callbacks::{
+use crate::planner::callbacks::{
     CRITREG_KEEP, CRITREG_NO_REASON, CRITREG_POSTPONE, CRITREG_PRUNE, critreg_advise,
     critreg_callbacks, critreg_draw, critreg_drawn, critreg_ground,
 };
-use crate::planner_layout::{Numbers, Ranges};
-use crate::planner_names::Names;
+use crate::planner::names::Names;
+use crate::planner::tables::{Numbers, Ranges};
 use core::cell::Cell;
 use core::ffi::c_void;
 use critreg_core::Error;

@@ -1,83 +1,17 @@
-//! A planner in the caller's memory.
+//! Making a planner.
 
-use crate::boundary::handle::{self, Handle};
+use crate::boundary::handle;
 use crate::boundary::memory::ALIGNMENT;
 use crate::boundary::pointer::{self, Output};
-use crate::boundary::status::{
-    CRITREG_BUSY, CRITREG_OK, Failure, Fallible, Message, critreg_status, status_of,
-};
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::text;
-use crate::planner_config::{self, critreg_planner_config};
-use crate::planner_layout::{PlannerLayout, Ranges, Tables};
-use crate::planner_metrics::critreg_metrics;
-use core::cell::{Cell, RefCell};
+use crate::planner::config::{self, CRITREG_PDDL_TEXT_MAX, critreg_planner_config};
+use crate::planner::handle::{Inner, Words, critreg_planner, with_planner};
+use crate::planner::layout::PlannerLayout;
+use crate::planner::tables::{NO_ACTION, Ranges};
 use core::ffi::{c_char, c_void};
-use core::fmt;
 use critreg_core::Error;
 use critreg_core::domain::MAX_PARAMETERS;
-use critreg_core::pddl::Problem;
-use critreg_core::plan;
-use critreg_core::task::GroundAtom;
-
-/// Longest domain or problem text of a planner in bytes, with its NUL.
-pub const CRITREG_PDDL_TEXT_MAX: usize = 65_536;
-
-/// A planner for one problem. It lies at the start of the memory it was made in.
-pub struct critreg_planner {
-    seal: usize,
-    /// What the last call left behind, also readable from a callback.
-    pub(crate) metrics: Cell<critreg_metrics>,
-    message: Cell<Option<Failure>>,
-    /// The atom that the last failure is about, if it is one.
-    pub(crate) culprit: Cell<Option<GroundAtom>>,
-    problem: &'static Problem<'static>,
-    inner: RefCell<Inner>,
-}
-
-/// What a call on a planner borrows.
-pub(crate) struct Inner {
-    pub(crate) tables: Tables,
-    pub(crate) settings: plan::Config,
-    /// How many steps of the tables are the plan that was found last.
-    pub(crate) plan_length: usize,
-}
-
-// SAFETY: the seal is a word of the handle, and private.
-unsafe impl Handle for critreg_planner {
-    const KIND: u64 = 0x706C_616E_6E65_7263;
-    const NAME: &'static str = "planner";
-
-    fn seal(handle: *const Self) -> *const usize {
-        // SAFETY: a place inside of the handle; nothing is read.
-        unsafe { &raw const (*handle).seal }
-    }
-}
-
-/// Runs a call on a planner: refuses it if the planner is in use, and keeps the
-/// words about a failure.
-///
-/// # Safety
-/// As for [`handle::open`].
-pub(crate) unsafe fn with_planner(
-    planner: *mut critreg_planner,
-    body: impl FnOnce(&critreg_planner, &mut Inner) -> Fallible,
-) -> critreg_status {
-    // SAFETY: by this function's contract.
-    let handle = match unsafe { handle::open(planner) } {
-        Ok(handle) => handle,
-        Err(failure) => return failure.status(),
-    };
-    let Ok(mut inner) = handle.inner.try_borrow_mut() else {
-        return CRITREG_BUSY;
-    };
-    match body(handle, &mut inner) {
-        Ok(()) => CRITREG_OK,
-        Err(failure) => {
-            handle.message.set(Some(failure));
-            failure.status()
-        }
-    }
-}
 
 /// How many bytes of memory a planner takes.
 ///
@@ -90,7 +24,7 @@ pub(crate) unsafe fn with_planner(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_planner_size(config: *const critreg_planner_config) -> usize {
     // SAFETY: the header makes it the caller's promise.
-    let config = unsafe { planner_config::read(config) };
+    let config = unsafe { config::read(config) };
     let capacity = config.and_then(|config| config.capacity());
     let layout = capacity.ok().and_then(PlannerLayout::new);
     layout.map_or(0, |layout| layout.size)
@@ -168,12 +102,7 @@ unsafe fn init(
 ) -> Fallible {
     pointer::check(memory.cast::<u64>(), "memory")?;
     // SAFETY: by this function's contract, for both.
-    let (config, output) = unsafe {
-        (
-            planner_config::read(config)?,
-            Output::new(planner, "planner")?,
-        )
-    };
+    let (config, output) = unsafe { (config::read(config)?, Output::new(planner, "planner")?) };
     let settings = config.settings()?;
     let layout = PlannerLayout::new(config.capacity()?)
         .filter(|layout| layout.size <= memory_len)
@@ -185,19 +114,7 @@ unsafe fn init(
         // If this fails, a planner that was here before is one no more.
         handle::retire(place);
         let tables = layout.make(memory, domain, problem)?;
-        let made = critreg_planner {
-            seal: 0,
-            metrics: Cell::new(critreg_metrics::NONE),
-            message: Cell::new(None),
-            culprit: Cell::new(None),
-            problem: tables.problem,
-            inner: RefCell::new(Inner {
-                tables,
-                settings,
-                plan_length: 0,
-            }),
-        };
-        handle::put(place, made);
+        critreg_planner::put(place, tables, settings);
         output.write(place);
     }
     Ok(())
@@ -243,42 +160,13 @@ pub unsafe extern "C" fn critreg_planner_set_ranges(
             return Err(Failure::invalid("a range ends below its beginning"));
         }
         // SAFETY: the header makes it the caller's promise.
-        let place = unsafe { inner.action(name)? };
+        let place = unsafe { inner.tables.action(name)? };
         let slot = inner.tables.ranges.get_mut(place);
         *slot.ok_or(NO_ACTION)? = Ranges::new(ranges);
         Ok(())
     };
     // SAFETY: as above.
     unsafe { with_planner(planner, set) }
-}
-
-const NO_ACTION: Failure = Failure::invalid("the PDDL domain has no action of this name");
-
-impl Inner {
-    /// The place of the action with a name.
-    ///
-    /// # Safety
-    /// If not NULL, the name can be read up to its NUL.
-    pub(crate) unsafe fn action(&self, name: *const c_char) -> Fallible<usize> {
-        // SAFETY: by this function's contract.
-        let name = unsafe { pointer::text(name, CRITREG_PDDL_TEXT_MAX, "name")? };
-        let found = self.tables.problem.domain().find_action(name);
-        Ok(usize::from(found.ok_or(NO_ACTION)?.0))
-    }
-}
-
-/// A failure, and the atom it is about.
-struct Words<'a>(&'a critreg_planner);
-
-impl fmt::Display for Words<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Words(handle) = self;
-        Message(handle.message.get()).fmt(f)?;
-        match handle.culprit.get() {
-            Some(atom) => write!(f, ": {}", handle.problem.atom_text(&atom)),
-            None => Ok(()),
-        }
-    }
 }
 
 /// Why the last call on this planner failed that did fail, in words, as

@@ -39,6 +39,9 @@ pub const CRITREG_DEFAULT_OPERATORS: u32 = 256;
 /// Nodes of the search that a planner has room for unless the configuration tells.
 pub const CRITREG_DEFAULT_NODES: u32 = 4096;
 
+/// Longest domain or problem text of a planner in bytes, with its NUL.
+pub const CRITREG_PDDL_TEXT_MAX: usize = 65_536;
+
 const _: () = assert!(CRITREG_MAX_ARGUMENTS == MAX_ARGUMENTS);
 const _: () = assert!(CRITREG_MAX_PLAN_LENGTH as usize == MAX_SKELETON);
 

@@ -1,6 +1,6 @@
 //! The names of PDDL texts as C wants them.
 
-use crate::planner_callbacks::critreg_ground;
+use crate::planner::callbacks::critreg_ground;
 use core::ffi::c_char;
 use critreg_core::Error;
 use critreg_core::pddl::{MAX_ACTIONS, MAX_OBJECTS, MAX_PREDICATES, Problem};
