@@ -6,20 +6,20 @@
 //! does three things: it checks what comes from C, it lays the parts of a handle
 //! into the caller's memory, and it calls the safe core.
 //!
-//! | module | content |
-//! |---|---|
-//! | [`boundary`] | what comes from C and what goes back: statuses, pointers, memory |
-//! | [`learner`] | learners: what they are told to do, asking and telling, how it went, saving |
-//! | [`region`] | regions: as text and as bytes, their constraints, samples |
-//! | [`planner`] | the planner: what it asks the program, the plan, what it cost |
-//! | [`check`] | what is wrong with a text, in words |
-//! | [`stick_button`], [`stick_button_world`] | the built-in environment, to learn and to plan in |
+//! | room | content | knows only |
+//! |---|---|---|
+//! | [`boundary`] | what comes from C and what goes back: pointers, statuses, structs, text, memory | the core |
+//! | [`region`] | regions: as text and as bytes, their constraints, samples | `boundary` |
+//! | [`learner`] | learners: configuration, asking and telling, the report, saving | `boundary`, `region` |
+//! | [`planner`] | the planner: configuration, callbacks, plans, what they cost | `boundary` |
+//! | [`stick_button`] | the built-in environment, to learn and to plan in | `boundary`, `learner`, `planner` |
+//! | [`check`] | what is wrong with a text, in words | the above |
 //!
 //! # Why it is sound
-//! - The parts of a handle are cut out of the caller's memory without overlap (each
-//!   room's `layout` computes their places by `boundary::memory`, and nothing else does), so no reference to one covers another. `'static` in their types
-//!   means: as long as the caller lends the memory, which the header makes the
-//!   caller's promise.
+//! - The parts of a handle are cut out of the caller's memory without overlap (the
+//!   `layout` of a room computes their places with [`boundary::memory`], and nothing else
+//!   does), so no reference to one covers another. `'static` in their types means: as long
+//!   as the caller lends the memory, which the header makes the caller's promise.
 //! - All that a learner or planner changes is behind a `RefCell`. A callback that calls back
 //!   finds it borrowed and gets [`boundary::status::CRITREG_BUSY`].
 //! - A handle is used only if it carries its seal, which depends on its address:
@@ -51,7 +51,6 @@ pub mod learner;
 pub mod planner;
 pub mod region;
 pub mod stick_button;
-pub mod stick_button_world;
 
 #[cfg(all(feature = "halt", not(feature = "std"), not(test), panic = "unwind"))]
 compile_error!("there is nothing to unwind into: build with panic = \"abort\"");

@@ -194,7 +194,7 @@ fn the_stream_of_random_numbers_is_that_of_the_core() {
 /// What C is told about the environment is the environment of the library.
 #[test]
 fn the_built_in_domain_is_that_of_the_core() {
-    use critreg_ffi::stick_button::critreg_stick_button_domain;
+    use critreg_ffi::stick_button::environment::critreg_stick_button_domain;
     // SAFETY: it is a static text that ends with NUL.
     let text = unsafe { std::ffi::CStr::from_ptr(critreg_stick_button_domain()) };
     let expected = critreg::env::stick_button::StickButton::PICK_DOMAIN;

@@ -30,8 +30,8 @@ const SOURCES: [&str; 27] = [
     "planner/metrics.rs",
     "planner/inspection.rs",
     "check.rs",
-    "stick_button.rs",
-    "stick_button_world.rs",
+    "stick_button/environment.rs",
+    "stick_button/world.rs",
 ];
 
 fn root() -> PathBuf {

@@ -126,8 +126,7 @@ mod c {
         learner::{learning::*, making::*, saving::*},
         planner::{callbacks::*, config::*, making::*, planning::*},
         region::{sampling::*, writing::*},
-        stick_button::*,
-        stick_button_world::*,
+        stick_button::{environment::*, world::*},
     };
     use std::ffi::{CStr, c_char};
     use std::mem::zeroed;

@@ -4,7 +4,7 @@ use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::planner::callbacks::critreg_ground;
 use crate::planner::world::rounded;
-use crate::stick_button::{all_finite, environment_of};
+use crate::stick_button::environment::{all_finite, environment_of};
 use core::ffi::c_void;
 use core::fmt::Write as _;
 use critreg_core::env::stick_button::{StickButton, World};
