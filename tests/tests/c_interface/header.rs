@@ -54,7 +54,7 @@ fn the_header_is_up_to_date() {
     assert!(
         committed == expected,
         "include/critreg.h does not describe the interface as it is; update it with\n    \
-         CRITREG_UPDATE_HEADER=1 cargo test -p critreg-tests --test header"
+         CRITREG_UPDATE_HEADER=1 cargo test -p critreg-tests --test c_interface header"
     );
 }
 

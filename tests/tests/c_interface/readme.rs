@@ -1,10 +1,7 @@
 //! The README's program compiles, runs, and prints what the README says.
 
-#[path = "../c/support.rs"]
-mod support;
-
+use crate::support::{BOTH, compile, root, run};
 use std::process::Command;
-use support::{BOTH, compile, root, run};
 
 /// The first block of this language in the README.
 fn block<'t>(readme: &'t str, opening: &str) -> &'t str {

@@ -1,10 +1,7 @@
 //! The examples in C and C++ compile without warnings and do what they say.
 
-#[path = "../c/support.rs"]
-mod support;
-
+use crate::support::{BOTH, Language, compile, root, run};
 use std::process::Command;
-use support::{BOTH, Language, compile, root, run};
 
 fn output_of(file: &str, language: Language, arguments: &[&str]) -> String {
     let name = file.split('.').next().unwrap();
