@@ -2,7 +2,6 @@
 
 mod abi;
 mod examples;
-mod header;
 mod pictures;
 mod readme;
 mod support;

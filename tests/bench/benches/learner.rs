@@ -1,5 +1,5 @@
 //! How long the version-space learner takes, and how that grows:
-//! `cargo bench --bench learner`.
+//! `cargo bench -p critreg-bench --bench learner`.
 
 use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
 use critreg::Error;

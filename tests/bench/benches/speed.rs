@@ -1,4 +1,4 @@
-//! How long the inner loops take: `cargo bench`.
+//! How long the inner loops take: `cargo bench -p critreg-bench --bench speed`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use critreg::domain::{PointSet, Scene};
