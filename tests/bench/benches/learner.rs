@@ -7,7 +7,8 @@ use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config};
 use critreg::learn::{Answer, Learner, Problem, Query, VersionSpace, learn_region};
 use critreg::random::{generator, uniform};
-use critreg_tests::report::{self, VersionSpaceRoom};
+use critreg_tests::report;
+use critreg_tests::room::VersionSpaceRoom;
 
 const BOXES: usize = 16;
 

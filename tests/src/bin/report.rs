@@ -9,8 +9,9 @@ use critreg::domain::Domain;
 use critreg::learn::{Algorithm1, Answer, Learner, Problem, VersionSpace, version_space};
 use critreg::random::{generator, uniform};
 use critreg::region::Region;
-use critreg_tests::report::{self, Run, Scenario, Statistics, Truth, VersionSpaceRoom};
-use critreg_tests::{pick, room::Room};
+use critreg_tests::pick;
+use critreg_tests::report::{self, Run, Scenario, Statistics, Truth};
+use critreg_tests::room::{Algorithm1Room, VersionSpaceRoom};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -156,7 +157,7 @@ fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
     let domain = &scenario.domain;
     let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
     let observations = scenario.calls as usize;
-    let mut room = Room::new(20_000, observations + 2);
+    let mut room = Algorithm1Room::new(20_000, observations + 2);
     let (capacity, mut config) = (room.capacity, pick::config(seed));
     config.iterations = scenario.calls.saturating_sub(2);
     let baseline = match Algorithm1::new(domain, config, capacity, room.lend()) {

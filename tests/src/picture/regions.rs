@@ -1,7 +1,8 @@
 //! Learned regions, and tasks that show what they say.
 
 use crate::data::to_state;
-use crate::report::{Scenario, VersionSpaceRoom, chain, pick};
+use crate::report::{Scenario, chain, pick};
+use crate::room::VersionSpaceRoom;
 use critreg::Error;
 use critreg::learn::version_space::{Capacity, Config};
 use critreg::learn::{Problem, VersionSpace, learn_region};

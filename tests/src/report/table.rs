@@ -1,12 +1,13 @@
 //! The thesis's Table 6.1 and what learned regions make of it.
 
 use super::row::{Row, ground};
+use crate::data;
 use crate::pick::{self, ENVIRONMENT};
 use crate::plan::Room;
 use crate::plan::lower_half::LowerHalf;
 use crate::plan::record::{self, Run};
 use crate::plan::skills::{self, SkillRoom, TrainingRoom};
-use crate::{data, room};
+use crate::room::Algorithm1Room;
 use critreg::env::stick_button::{PICK_STICK, ROBOT, STICK};
 use critreg::learn::{Algorithm1, Answer, Problem, learn_region};
 use critreg::plan::Unguided;
@@ -123,7 +124,7 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
         skill.binding().instance(&pick::scope(state), numbers)?;
     }
     let problem = Problem::new(skill.domain(), &instances, states.len())?;
-    let mut room = room::Room::new(20_000, 102);
+    let mut room = Algorithm1Room::new(20_000, 102);
     let capacity = room.capacity;
     let config = pick::config(seed);
     let mut learner = Algorithm1::new(skill.domain(), config, capacity, room.lend())?;

@@ -7,7 +7,7 @@ use critreg::learn::version_space::{Capacity, Config, VersionSpace};
 use critreg::learn::{Answer, Problem, learn_region};
 use critreg::random::{generator, uniform_in};
 use critreg::real::{Fast32, Real};
-use critreg_tests::report::VersionSpaceRoom;
+use critreg_tests::room::VersionSpaceRoom;
 use proptest::prelude::*;
 
 /// An angle within three turns.

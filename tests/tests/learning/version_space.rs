@@ -9,7 +9,8 @@ use critreg::learn::{
 };
 use critreg::random::{generator, uniform, uniform_in};
 use critreg::region::Region;
-use critreg_tests::report::{self, VersionSpaceRoom};
+use critreg_tests::report;
+use critreg_tests::room::VersionSpaceRoom;
 use proptest::prelude::*;
 
 /// Two parameters, so that the region is no interval.
