@@ -5,7 +5,7 @@ use crate::data;
 use crate::pick::{self, ENVIRONMENT};
 use crate::plan::Room;
 use crate::plan::lower_half::LowerHalf;
-use crate::plan::record::{self, Run};
+use crate::plan::record;
 use crate::plan::skills::{self, SkillRoom, TrainingRoom};
 use crate::room::Algorithm1Room;
 use critreg::env::stick_button::{PICK_STICK, ROBOT, STICK};
@@ -53,12 +53,11 @@ fn tests(buttons: (usize, usize), seed: u64) -> Vec<Task> {
 fn replayed() {
     let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
     let mut room = Room::new(NODES);
-    let is_its = |run: &Run| run.name.starts_with("1-1 buttons, seed 0,");
     let mut rows = [
         Row::new("seed 0, 1 button (replay)", "original"),
         Row::new("seed 0, 1 button (replay)", "PickStick from U(0, 0.5)"),
     ];
-    for run in record::runs().filter(is_its) {
+    for run in record::runs_of_the_thesis() {
         let numbers = || generators[run.planner_seed as usize].clone();
         let [original, lower] = &mut rows;
         original.plan_originally((&ENVIRONMENT, &run.task), numbers, &mut room);
