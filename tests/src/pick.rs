@@ -9,7 +9,7 @@ use critreg::region::Theta;
 use critreg::skill::Scope;
 use critreg::task::State;
 
-use crate::room::Room;
+use crate::room::Algorithm1Room;
 
 /// The environment of the thesis: angles off.
 pub const ENVIRONMENT: StickButton = StickButton { angles: false };
@@ -49,7 +49,7 @@ pub fn config(seed: u64) -> Config {
 pub fn learner<'m>(
     domain: &Domain<'_>,
     seed: u64,
-    room: &'m mut Room,
+    room: &'m mut Algorithm1Room,
 ) -> Result<Algorithm1<'m, f64>, Error> {
     let capacity = room.capacity;
     Algorithm1::new(domain, config(seed), capacity, room.lend())

@@ -3,6 +3,7 @@
 use critreg::domain::Domain;
 use critreg::env::stick_button::{StickButton, ZONE_HEIGHT};
 use critreg::learn::Outcome;
+use critreg::learn::version_space::{Capacity, Config};
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
 
@@ -57,6 +58,27 @@ impl Scenario {
                 let works = region.contains::<f64>(&own, instance, theta);
                 Outcome::from_feasible(works.expect("a valid sample"))
             }),
+        }
+    }
+
+    /// Room for what a version-space learner is told.
+    pub fn capacity(&self) -> Capacity {
+        Capacity {
+            forms: 12_000,
+            tracked: usize::MAX,
+            observations: self.calls as usize,
+            instances: self.instances,
+            steps: self.steps,
+        }
+    }
+
+    /// The configuration of a version-space learner with this seed.
+    pub fn config(&self, seed: u64) -> Config {
+        Config {
+            seed,
+            calls: self.calls,
+            noise: self.noise,
+            ..Config::default()
         }
     }
 

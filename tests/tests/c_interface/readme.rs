@@ -1,10 +1,7 @@
 //! The README's program compiles, runs, and prints what the README says.
 
-#[path = "../c/support.rs"]
-mod support;
-
+use crate::support::{BOTH, compile, root, run, scratch};
 use std::process::Command;
-use support::{BOTH, compile, root, run};
 
 /// The first block of this language in the README.
 fn block<'t>(readme: &'t str, opening: &str) -> &'t str {
@@ -16,7 +13,7 @@ fn block<'t>(readme: &'t str, opening: &str) -> &'t str {
 #[test]
 fn the_readme_tells_the_truth_about_its_program() {
     let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
-    let source = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme.c");
+    let source = scratch().join("readme.c");
     std::fs::write(&source, block(&readme, "```c\n")).unwrap();
     let printed = block(&readme, "It prints\n\n```\n");
     for language in BOTH {

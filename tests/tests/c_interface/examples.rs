@@ -1,10 +1,7 @@
 //! The examples in C and C++ compile without warnings and do what they say.
 
-#[path = "../c/support.rs"]
-mod support;
-
+use crate::support::{BOTH, Language, compile, root, run, scratch};
 use std::process::Command;
-use support::{BOTH, Language, compile, root, run};
 
 fn output_of(file: &str, language: Language, arguments: &[&str]) -> String {
     let name = file.split('.').next().unwrap();
@@ -121,7 +118,7 @@ fn the_manual_tells_the_truth_about_its_program() {
     let (_, behind) = chapter.split_once(" A complete program:\n *\n").unwrap();
     let (program, told) = behind.split_once(" * It prints ").unwrap();
     let lines = program.lines().map(|line| line.get(7..).unwrap_or(""));
-    let source = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("manual.c");
+    let source = scratch().join("manual.c");
     std::fs::write(&source, lines.collect::<Vec<_>>().join("\n")).unwrap();
     for language in BOTH {
         let program = compile("manual", std::slice::from_ref(&source), language);

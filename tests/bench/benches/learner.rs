@@ -1,5 +1,5 @@
 //! How long the version-space learner takes, and how that grows:
-//! `cargo bench --bench learner`.
+//! `cargo bench -p critreg-bench --bench learner`.
 
 use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
 use critreg::Error;
@@ -7,7 +7,8 @@ use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config};
 use critreg::learn::{Learner, Outcome, Problem, Query, VersionSpace, learn_region};
 use critreg::random::{generator, uniform};
-use critreg_tests::report::{self, VersionSpaceRoom};
+use critreg_tests::report;
+use critreg_tests::room::VersionSpaceRoom;
 
 const BOXES: usize = 16;
 

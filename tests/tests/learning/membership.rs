@@ -7,7 +7,7 @@ use critreg::learn::version_space::{Capacity, Config, Membership};
 use critreg::learn::{Learner, Outcome, Problem, Query, VersionSpace, learn_region};
 use critreg::random::{generator, uniform};
 use critreg::region::Region;
-use critreg_tests::report::VersionSpaceRoom;
+use critreg_tests::room::VersionSpaceRoom;
 use proptest::prelude::*;
 
 /// Two forms only: p, and p - cup.x.

@@ -1,9 +1,7 @@
 //! The C interface keeps its promises when it is used wrongly, exports what the
 //! header declares and nothing else, and can be used from several files.
 
-#[path = "../c/support.rs"]
-mod support;
-
+use crate::support::{BOTH, compile, library_directory, root, run};
 use critreg::plan::{Conclusion, Config, Planner, Unguided};
 use critreg::random::generator;
 use critreg::task::Environment;
@@ -13,7 +11,6 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 use std::process::Command;
-use support::{BOTH, compile, library_directory, root, run};
 
 /// Compiles and runs a program of `tests/c` in both languages.
 fn passes(name: &str, files: &[&str]) {

@@ -6,7 +6,7 @@ use critreg::learn::version_space::{Capacity, Config};
 use critreg::learn::{Learner, Outcome, Problem, VersionSpace, learn_region};
 use critreg::random::{generator, uniform_in};
 use critreg::region::{Region, Theta};
-use critreg_tests::report::VersionSpaceRoom;
+use critreg_tests::room::VersionSpaceRoom;
 use std::f64::consts::PI;
 
 const DOMAIN: &str = "object target { x: length, y: length }

@@ -1,4 +1,4 @@
-//! How long the inner loops take: `cargo bench`.
+//! How long the inner loops take: `cargo bench -p critreg-bench --bench speed`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use critreg::domain::{PointSet, Scene};
@@ -8,7 +8,7 @@ use critreg::random::generator;
 use critreg::region::Region;
 use critreg::task::Environment;
 use critreg_tests::pick;
-use critreg_tests::room::Room;
+use critreg_tests::room::Algorithm1Room;
 use std::hint::black_box;
 
 const TRUE_REGION: &str = "grasp.y <= 2.9 and dist(grasp, holder.centre) >= 0.25";
@@ -33,7 +33,7 @@ fn simulator(c: &mut Criterion) {
 fn validation(c: &mut Criterion) {
     let domain = pick::domain();
     let instances = pick::instances(1, 1);
-    let mut room = Room::new(20_000, 0);
+    let mut room = Algorithm1Room::new(20_000, 0);
     let capacity = room.capacity;
     let memory = room.lend();
     let values = &mut memory.values[..capacity.features()];
@@ -78,7 +78,7 @@ fn learning(c: &mut Criterion) {
     let domain = pick::domain();
     let instances = pick::instances(1, 4);
     let problem = Problem::new(&domain, &instances, 4).unwrap();
-    let mut room = Room::new(20_000, 256);
+    let mut room = Algorithm1Room::new(20_000, 256);
     c.bench_function("whole learn_region, algorithm1", |b| {
         b.iter(|| {
             let mut learner = pick::learner(&domain, 7, &mut room).unwrap();

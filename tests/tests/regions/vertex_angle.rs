@@ -5,6 +5,7 @@ use critreg::Error;
 use critreg::domain::Domain;
 use critreg::random::{generator, uniform_in};
 use critreg::region::Region;
+use critreg_tests::text;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -102,7 +103,5 @@ fn the_text_reads_back() {
     let domain = Domain::parse(DOMAIN).unwrap();
     let text = "angle(start, can, start) < 1 and min(angle(can, start, other)) > 2";
     let region = Region::parse(&domain, text).unwrap();
-    let mut written = String::new();
-    region.write(&domain, &mut written).unwrap();
-    assert_eq!(written, text);
+    assert_eq!(text::of_region(&domain, &region), text);
 }

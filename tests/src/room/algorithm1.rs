@@ -1,10 +1,10 @@
-//! The tables of a learner, owned, for host programs.
+//! The tables of a learner with Algorithm 1, owned.
 
 use critreg::domain::Node;
 use critreg::learn::{Bounds, Capacity, Memory, Observation};
 
-/// Memory for a learner of some capacity.
-pub struct Room {
+/// Memory for Algorithm 1 of some capacity.
+pub struct Algorithm1Room {
     /// What there is room for.
     pub capacity: Capacity,
     features: Vec<Node>,
@@ -14,14 +14,14 @@ pub struct Room {
     observations: Vec<Observation>,
 }
 
-impl Room {
+impl Algorithm1Room {
     /// Room for so many hypotheses and observations.
-    pub fn new(hypotheses: usize, observations: usize) -> Room {
+    pub fn new(hypotheses: usize, observations: usize) -> Algorithm1Room {
         let capacity = Capacity {
             hypotheses,
             observations,
         };
-        Room {
+        Algorithm1Room {
             capacity,
             features: vec![Node::Number(0.0); capacity.features()],
             values: vec![0.0; capacity.features()],

@@ -16,20 +16,20 @@ use critreg::task::{
 use std::collections::BTreeSet;
 
 const STICK_BUTTON: [&str; 2] = [
-    include_str!("../../data/pddl/stick_button.pddl"),
-    include_str!("../../data/pddl/stick_button_problem.pddl"),
+    include_str!("../../../data/pddl/stick_button.pddl"),
+    include_str!("../../../data/pddl/stick_button_problem.pddl"),
 ];
 pub(crate) const BLOCKS: [&str; 2] = [
-    include_str!("../../data/pddl/blocks.pddl"),
-    include_str!("../../data/pddl/blocks_problem.pddl"),
+    include_str!("../../../data/pddl/blocks.pddl"),
+    include_str!("../../../data/pddl/blocks_problem.pddl"),
 ];
 pub(crate) const GRIPPER: [&str; 2] = [
-    include_str!("../../data/pddl/gripper.pddl"),
-    include_str!("../../data/pddl/gripper_problem.pddl"),
+    include_str!("../../../data/pddl/gripper.pddl"),
+    include_str!("../../../data/pddl/gripper_problem.pddl"),
 ];
 pub(crate) const DELIVERY: [&str; 2] = [
-    include_str!("../../data/pddl/delivery.pddl"),
-    include_str!("../../data/pddl/delivery_problem.pddl"),
+    include_str!("../../../data/pddl/delivery.pddl"),
+    include_str!("../../../data/pddl/delivery_problem.pddl"),
 ];
 pub(crate) const ALL: [[&str; 2]; 4] = [STICK_BUTTON, BLOCKS, GRIPPER, DELIVERY];
 

@@ -5,7 +5,7 @@ use critreg::domain::{Domain, PointSet, Sample, Scene};
 use critreg::grammar::Formula;
 use critreg::random::generator;
 use critreg::region::{Region, SavedRegion};
-use critreg_tests::{arm, pick};
+use critreg_tests::{arm, pick, text};
 use proptest::prelude::*;
 
 /// The text of a length over the pick domain.
@@ -76,12 +76,6 @@ fn skipped(what: &str) -> bool {
         .any(|word| what.contains(word))
 }
 
-fn write(domain: &Domain<'_>, region: &Region) -> String {
-    let mut text = String::new();
-    region.write(domain, &mut text).unwrap();
-    text
-}
-
 /// Membership by evaluating every constraint at the sample.
 fn evaluate(domain: &Domain<'_>, region: &Region, instance: &[f64], mu: f64) -> bool {
     let scene: Scene<'_, f64> = Scene::new(domain, instance, PointSet::all(domain)).unwrap();
@@ -111,10 +105,10 @@ proptest! {
     fn what_is_written_reads_back_the_same(text in formula()) {
         let domain = pick::domain();
         if let Some(region) = read(&domain, &text) {
-            let written = write(&domain, &region);
+            let written = text::of_region(&domain, &region);
             let again = Region::parse(&domain, &written).expect(&written);
             prop_assert_eq!(&again, &region, "{} became {}", text, written);
-            prop_assert_eq!(write(&domain, &again), written);
+            prop_assert_eq!(text::of_region(&domain, &again), written);
         }
     }
 
@@ -246,7 +240,7 @@ fn a_distance_that_touches_its_bound_admits_one_point() {
         let grounded = region.ground::<f64>(&line, &instance).unwrap();
         let set = grounded.intervals().unwrap();
         let ends: Vec<_> = set.intervals().iter().map(|i| [i.low, i.high]).collect();
-        assert_eq!(ends, [[1.0, 1.0]], "{}", write(&line, &region));
+        assert_eq!(ends, [[1.0, 1.0]], "{}", text::of_region(&line, &region));
     }
 }
 

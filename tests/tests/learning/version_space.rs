@@ -9,7 +9,8 @@ use critreg::learn::{
 };
 use critreg::random::{generator, uniform, uniform_in};
 use critreg::region::Region;
-use critreg_tests::report::{self, VersionSpaceRoom};
+use critreg_tests::room::VersionSpaceRoom;
+use critreg_tests::{report, text};
 use proptest::prelude::*;
 
 /// Two parameters, so that the region is no interval.
@@ -57,12 +58,6 @@ fn is_clear(instance: &[f64], query: &Query) -> bool {
     };
     let [x, y, ..] = query.theta;
     (x - cup_x).hypot(y - cup_y) >= 0.75 && x <= lamp_x - 0.25
-}
-
-fn text(region: &Region, domain: &Domain<'_>) -> String {
-    let mut text = String::new();
-    region.write(domain, &mut text).unwrap();
-    text
 }
 
 fn admits(region: &Region, problem: &Problem<'_>, o: &Observation) -> bool {
@@ -187,7 +182,7 @@ fn several_parameters_are_learned_exactly() {
         Ok::<_, Error>(Outcome::from_feasible(is_clear(instance, query)))
     })
     .unwrap();
-    let learned = text(learner.region().unwrap(), &domain);
+    let learned = text::of_region(&domain, learner.region().unwrap());
     assert!(learned.contains("px - lamp.x <= -0.25 "), "{learned}");
     assert!(learned.contains("dist(hand, cup) >= 0.75 "), "{learned}");
     assert_eq!(learner.evidence().len(), 2);
@@ -297,8 +292,7 @@ fn learn_tracking(
         let theta = &query.theta[..domain.parameters().len()];
         Ok::<_, Error>(scenario.judge(problem.instance(query.instance)?, theta))
     });
-    let mut text = String::new();
-    region.unwrap().write(domain, &mut text).unwrap();
+    let text = text::of_region(domain, region.unwrap());
     (
         learner.observations().to_vec(),
         text,
@@ -363,7 +357,7 @@ fn the_pieces_of_a_union_have_boundaries_of_their_own() {
             let instance = problem.instance(query.instance)?;
             Ok::<_, Error>(Outcome::from_feasible(works(instance, query.theta[0])))
         });
-        let learned = text(region.unwrap(), &domain);
+        let learned = text::of_region(&domain, region.unwrap());
         for piece in [
             "dist(hand, tray.mid) - dist(tray.core, tray.mid) <= 0",
             "dist(hand, tray.mid) - dist(tray.free, tray.mid) >= 0",

@@ -9,6 +9,7 @@ use critreg::region::{Interval, Region, SavedRegion};
 use critreg_tests::by_hand::{
     ABSENT, Constraint, Length, MOVED, SETTLED, Said, TEXT, World, buttons, distance, obstacles,
 };
+use critreg_tests::text;
 use proptest::prelude::*;
 
 fn world() -> impl Strategy<Value = World> {
@@ -78,12 +79,6 @@ fn constraint() -> impl Strategy<Value = Constraint> {
     let moved = || length(prop_oneof![3 => over(&MOVED), 1 => Just(Length::GraspY)]);
     let any = || prop_oneof![moved(), settled()];
     (any(), comparison(), any()).prop_map(|(a, c, b)| Constraint(a, c, b))
-}
-
-fn write(domain: &Domain<'_>, region: &Region) -> String {
-    let mut text = String::new();
-    region.write(domain, &mut text).unwrap();
-    text
 }
 
 /// Values of mu close together, and those at which rounding decides left out.
@@ -167,7 +162,7 @@ proptest! {
         let domain = Domain::parse(TEXT).unwrap();
         let text = format!("{} and not ({})", a.text(), b.text());
         let region = Region::parse(&domain, &text).unwrap();
-        let written = write(&domain, &region);
+        let written = text::of_region(&domain, &region);
         prop_assert_eq!(&Region::parse(&domain, &written).expect(&written), &region);
         let mut bytes = vec![0; region.saved_len(&domain)];
         region.save(&domain, &mut bytes).unwrap();

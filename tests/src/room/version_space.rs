@@ -1,8 +1,9 @@
 //! The tables of a version-space learner, owned.
 
-use critreg::domain::Node;
-use critreg::learn::Observation;
-use critreg::learn::version_space::{Capacity, Cover, Evidence, Memory, Sample, Span};
+use critreg::Error;
+use critreg::domain::{Domain, Node};
+use critreg::learn::version_space::{Capacity, Config, Cover, Evidence, Memory, Sample, Span};
+use critreg::learn::{Observation, VersionSpace};
 use critreg::real::Real;
 use critreg::region::Region;
 
@@ -44,6 +45,18 @@ impl<R: Real> VersionSpaceRoom<R> {
             support: vec![Evidence::default(); capacity.support()],
             region: Region::default(),
         }
+    }
+
+    /// A learner in this room.
+    ///
+    /// # Errors
+    /// Those of [`VersionSpace::new`].
+    pub fn learner(
+        &mut self,
+        domain: &Domain<'_>,
+        config: Config,
+    ) -> Result<VersionSpace<'_, R>, Error> {
+        VersionSpace::new(domain, config, self.capacity, self.lend())
     }
 
     /// The tables, lent to one learner.

@@ -1,4 +1,4 @@
-//! How long planning takes: `cargo bench --bench planning`.
+//! How long planning takes: `cargo bench -p critreg-bench --bench planning`.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use critreg::env::stick_button::StickButton;

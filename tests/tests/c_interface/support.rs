@@ -19,21 +19,21 @@ pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// Where the tests put what they build.
-fn build_directory() -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join("c")
+/// Where the tests put what they write, a folder in the target directory.
+pub(crate) fn scratch() -> &'static Path {
+    Path::new(env!("CARGO_TARGET_TMPDIR"))
 }
 
-/// The directory with the release build of the library. It is built in a target
-/// directory of its own, so that no lock of a running cargo is waited for.
+/// The directory with the release build of the library, which is also the one that
+/// `make -C c_examples` uses: it is built once.
 pub(crate) fn library_directory() -> &'static Path {
     static DIRECTORY: OnceLock<PathBuf> = OnceLock::new();
     DIRECTORY.get_or_init(|| {
-        let target = build_directory();
+        let target = scratch().parent().expect("it is in the target directory");
         let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
         cargo.args(["build", "--quiet", "--release", "--package", "critreg-ffi"]);
         cargo.arg("--manifest-path").arg(root().join("Cargo.toml"));
-        cargo.arg("--target-dir").arg(&target);
+        cargo.arg("--target-dir").arg(target);
         // Settings of the test build, such as sanitizers, do not belong here.
         run(cargo
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
@@ -55,7 +55,7 @@ pub(crate) fn compile(name: &str, sources: &[PathBuf], language: Language) -> Pa
         Language::Cpp17 => command.args(["-std=c++17", "-x", "c++"]),
     };
     let library = library_directory().join("libcritreg_ffi.a");
-    let program = build_directory().join(format!("{name}_{language:?}"));
+    let program = scratch().join(format!("{name}_{language:?}"));
     command
         .args(["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-g"])
         .arg("-I")

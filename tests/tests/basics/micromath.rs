@@ -7,7 +7,8 @@ use critreg::learn::version_space::{Capacity, Config, VersionSpace};
 use critreg::learn::{Outcome, Problem, learn_region};
 use critreg::random::{generator, uniform_in};
 use critreg::real::{Fast32, Real};
-use critreg_tests::report::VersionSpaceRoom;
+use critreg_tests::room::VersionSpaceRoom;
+use critreg_tests::text;
 use proptest::prelude::*;
 
 /// An angle within three turns.
@@ -101,8 +102,7 @@ fn learned<R: Real>(seed: u64) -> Result<(f64, f64), Error> {
             })
         },
     )?;
-    let mut text = String::new();
-    region.write(&domain, &mut text).expect("a String has room");
+    let text = text::of_region(&domain, region);
     assert!(text.starts_with("dist(hand, peg.tip) >= "), "{text}");
     let [evidence] = learner.evidence() else {
         panic!("one constraint, not {text}");

@@ -2,7 +2,8 @@
 
 use critreg_tests::picture::pictures;
 use critreg_tests::picture::regions::Regions;
-use critreg_tests::picture::samples::{Measured, measure, runs};
+use critreg_tests::picture::samples::{Measured, measure};
+use critreg_tests::plan::record;
 use std::path::Path;
 
 #[test]
@@ -51,7 +52,7 @@ fn the_original_series_is_the_thesis_s_table() {
     } = measure();
     assert_eq!(original.samples.iter().sum::<u32>(), 388);
     assert_eq!(original.samples.last(), Some(&230));
-    let recorded: usize = runs().map(|run| run.plan.len()).sum();
+    let recorded: usize = record::runs_of_the_thesis().map(|run| run.plan.len()).sum();
     assert_eq!(original.steps as usize, recorded);
     assert_eq!([original.solved, learned.solved], [50, 50]);
     // No plan has fewer samples than steps; regions that are right need few more.

@@ -6,7 +6,7 @@ use critreg::grammar::{Comparison, Features, Hypotheses};
 use critreg::learn::{
     Algorithm1, Config, Learner, Outcome, Problem, Query, resume, save, saved_len,
 };
-use critreg_tests::room::Room;
+use critreg_tests::room::Algorithm1Room;
 use critreg_tests::{arm, pick};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -128,7 +128,7 @@ fn agree(
     answer: impl Fn(&Problem<'_>, &Query) -> bool,
 ) {
     let problem = Problem::new(domain, instances, count).unwrap();
-    let mut room = Room::new(hypotheses, 256);
+    let mut room = Algorithm1Room::new(hypotheses, 256);
     let capacity = room.capacity;
     let mut learner = Algorithm1::new(domain, config, capacity, room.lend()).unwrap();
     let mut oracle = Oracle::new(&learner);
@@ -183,7 +183,7 @@ proptest! {
     #[test]
     fn enumeration_never_exceeds_its_room_and_reports_the_rest(pairs in 0usize..3000) {
         let domain = pick::domain();
-        let mut room = Room::new(4 * pairs, 0);
+        let mut room = Algorithm1Room::new(4 * pairs, 0);
         let capacity = room.capacity;
         let memory = room.lend();
         let features: Features<'_, f64> =
@@ -203,7 +203,7 @@ proptest! {
         let domain = pick::domain();
         let instances = pick::instances(seed, 4);
         let problem = Problem::new(&domain, &instances, 4).unwrap();
-        let (mut first, mut second) = (Room::new(4096, 128), Room::new(4096, 128));
+        let (mut first, mut second) = (Algorithm1Room::new(4096, 128), Algorithm1Room::new(4096, 128));
         let mut whole = pick::learner(&domain, seed, &mut first).unwrap();
         let try_one = |learner: &mut Algorithm1<'_, f64>| {
             let query = learner.ask(&problem).unwrap();
@@ -241,7 +241,7 @@ proptest! {
 
 /// Every hypothesis of a domain as text, from a table in which nothing overflows.
 fn all_hypotheses(domain: &Domain<'_>) -> Vec<String> {
-    let mut room = Room::new(8_000_000, 0);
+    let mut room = Algorithm1Room::new(8_000_000, 0);
     let memory = room.lend();
     let features: Features<'_, f64> =
         Features::enumerate(domain, memory.features, memory.values).unwrap();
@@ -317,7 +317,7 @@ fn room_that_is_not_needed_changes_nothing() {
     let instances = [1.0, 0.0, 2.0, 1.0, 3.0, 0.5];
     let problem = Problem::new(&domain, &instances, 3).unwrap();
     let run = |hypotheses, observations| {
-        let mut room = Room::new(hypotheses, observations);
+        let mut room = Algorithm1Room::new(hypotheses, observations);
         let capacity = room.capacity;
         let config = Config {
             seed: 3,
@@ -344,7 +344,7 @@ fn a_full_log_is_an_answer() {
     let domain = pick::domain();
     let instances = pick::instances(1, 1);
     let problem = Problem::new(&domain, &instances, 1).unwrap();
-    let mut room = Room::new(4096, 2);
+    let mut room = Algorithm1Room::new(4096, 2);
     let mut learner = pick::learner(&domain, 1, &mut room).unwrap();
     for _ in 0..2 {
         learner.ask(&problem).unwrap();
@@ -363,7 +363,7 @@ fn misuse_is_refused_and_changes_nothing() {
     let domain = pick::domain();
     let instances = pick::instances(1, 2);
     let problem = Problem::new(&domain, &instances, 2).unwrap();
-    let mut room = Room::new(4096, 16);
+    let mut room = Algorithm1Room::new(4096, 16);
     let mut learner = pick::learner(&domain, 1, &mut room).unwrap();
     let told = learner.tell(&problem, Outcome::Feasible);
     assert!(matches!(told, Err(Error::OutOfSequence(_))));
@@ -387,7 +387,7 @@ fn saved_runs_are_checked() {
     let domain = pick::domain();
     let instances = pick::instances(1, 1);
     let problem = Problem::new(&domain, &instances, 1).unwrap();
-    let mut room = Room::new(4096, 16);
+    let mut room = Algorithm1Room::new(4096, 16);
     let mut learner = pick::learner(&domain, 1, &mut room).unwrap();
     learner.ask(&problem).unwrap();
     learner.tell(&problem, Outcome::FailedStep(1)).unwrap();
@@ -397,13 +397,13 @@ fn saved_runs_are_checked() {
         resume(&mut learner, &problem, &bytes),
         Err(Error::OutOfSequence(_))
     ));
-    let mut room = Room::new(4096, 16);
+    let mut room = Algorithm1Room::new(4096, 16);
     let mut other_seed = pick::learner(&domain, 2, &mut room).unwrap();
     assert!(matches!(
         resume(&mut other_seed, &problem, &bytes),
         Err(Error::Mismatch(_))
     ));
-    let mut room = Room::new(4096, 16);
+    let mut room = Algorithm1Room::new(4096, 16);
     let mut fresh = pick::learner(&domain, 1, &mut room).unwrap();
     for at in 0..bytes.len() {
         let mut damaged = bytes.clone();
