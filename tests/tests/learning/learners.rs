@@ -441,7 +441,7 @@ fn an_unknown_outcome_prunes_nothing() {
     let domain = pick::domain();
     let instances = pick::instances(1, 1);
     let problem = Problem::new(&domain, &instances, 1).unwrap();
-    let mut room = Room::new(4096, 16);
+    let mut room = Algorithm1Room::new(4096, 16);
     let mut learner = pick::learner(&domain, 1, &mut room).unwrap();
     learner.ask(&problem).unwrap();
     let before = learner.report();

@@ -408,7 +408,7 @@ fn an_unknown_outcome_teaches_nothing() {
         }
     }
     assert_eq!(learner.report().unknown, 50);
-    let region = text(learner.region().unwrap(), &domain);
+    let region = text::of_region(&domain, learner.region().unwrap());
     for o in learner.observations() {
         let works = is_clear(
             problem.instance(o.instance as usize).unwrap(),
@@ -428,7 +428,7 @@ fn an_unknown_outcome_teaches_nothing() {
     let mut other = self::room(150, 8, 1);
     let mut resumed = VersionSpace::<f64>::new(&domain, config, capacity, other.lend()).unwrap();
     resume(&mut resumed, &problem, &bytes).unwrap();
-    assert_eq!(text(resumed.region().unwrap(), &domain), region);
+    assert_eq!(text::of_region(&domain, resumed.region().unwrap()), region);
     assert_eq!(resumed.observations(), learner.observations());
 }
 
@@ -451,12 +451,12 @@ fn a_full_log_changes_nothing() {
     }
     let query = learner.ask(&problem).unwrap();
     let report = learner.report();
-    let region = text(learner.region().unwrap(), &domain);
+    let region = text::of_region(&domain, learner.region().unwrap());
     for outcome in [Outcome::Feasible, Outcome::FailedStep(1), Outcome::Unknown] {
         let told = learner.tell(&problem, outcome);
         assert_eq!(told, Err(Error::CapacityExceeded("observations")));
         assert_eq!(learner.ask(&problem).unwrap(), query);
         assert_eq!(learner.report(), report);
-        assert_eq!(text(learner.region().unwrap(), &domain), region);
+        assert_eq!(text::of_region(&domain, learner.region().unwrap()), region);
     }
 }
