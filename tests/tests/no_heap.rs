@@ -12,7 +12,7 @@ use critreg::text::TextBuffer;
 use critreg_tests::pick::{ENVIRONMENT, instances};
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, tasks};
 use critreg_tests::plan::{Grounding, Room};
-use critreg_tests::report::VersionSpaceRoom;
+use critreg_tests::room::VersionSpaceRoom;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -122,8 +122,11 @@ fn learning_skills_and_planning_with_them() {
 mod c {
     use super::{calls, instances};
     use critreg_ffi::{
-        learner::*, learning::*, planner::*, planner_callbacks::*, planner_config::*, planning::*,
-        region::*, rng::*, sampling::*, saving::*, stick_button::*, stick_button_world::*,
+        boundary::rng::*,
+        learner::{learning::*, making::*, saving::*},
+        planner::{callbacks::*, config::*, making::*, planning::*},
+        region::{sampling::*, writing::*},
+        stick_button::{environment::*, world::*},
     };
     use std::ffi::{CStr, c_char};
     use std::mem::zeroed;

@@ -6,6 +6,7 @@ use crate::golden::{self, Recording};
 use crate::lottery::Lottery;
 use crate::plan::Room;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn_from};
+use crate::text;
 use critreg::Error;
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
@@ -223,7 +224,9 @@ fn print_skill<E: Environment>(
         learned.instances,
         learned.calls,
     );
-    println!("region: {}", text(skill));
+    let region = skill.region();
+    let region = region.map(|region| text::of_region(skill.domain(), region));
+    println!("region: {}", region.as_deref().unwrap_or("none"));
 }
 
 /// The controllers of a skill.
@@ -237,17 +240,4 @@ fn title<E: Environment>(skill: &Skill) -> String {
         _ => "",
     };
     format!("{}{later}{states}", name(description.own))
-}
-
-/// The region of a skill as text.
-fn text(skill: &Skill) -> String {
-    let mut text = String::new();
-    match skill.region() {
-        Some(region) => {
-            let written = region.write(skill.domain(), &mut text);
-            written.expect("a string has room");
-            text
-        }
-        None => "none".into(),
-    }
 }
