@@ -70,6 +70,7 @@
 
 mod bumpy;
 mod controllers;
+mod family;
 mod plain;
 mod predicates;
 mod regrasp;
@@ -78,6 +79,7 @@ mod tasks;
 mod world;
 
 pub use bumpy::{BUMPY_REGION, RegionalBumpyCover};
+pub use family::Family;
 pub use plain::Cover;
 pub use regrasp::CoverRegrasp;
 pub use world::{Block, Target, blocks, targets};
