@@ -81,8 +81,8 @@ macro_rules! tables {
 }
 
 #[cfg(feature = "algorithm1")]
-critreg_core::algorithm1_tables! { [tables] Algorithm1Tables Algorithm1 algorithm1 }
-critreg_core::version_space_tables! { [tables] VersionSpaceTables VersionSpace version_space }
+critreg_core::algorithm1_tables! { [tables] R, Algorithm1Tables Algorithm1 algorithm1 }
+critreg_core::version_space_tables! { [tables] R, VersionSpaceTables VersionSpace version_space }
 
 impl<R: 'static> KindTables<R> {
     const fn new(packer: &mut Packer, capacity: Capacity) -> Option<Self> {
