@@ -126,7 +126,7 @@ pub trait Learner {
 /// Asks, tries and tells until the learner is finished, and returns the region.
 ///
 /// `simulate` tries a sample; its error ends the learning and is passed on, and
-/// the learner can be asked again afterwards. See the [crate](crate) for an example.
+/// the learner can be asked again afterwards. See the [crate] for an example.
 ///
 /// # Errors
 /// Those of [`Learner`] and of `simulate`.
