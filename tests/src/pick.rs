@@ -3,7 +3,7 @@
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::env::stick_button::{ROBOT, STICK, StickButton};
-use critreg::learn::{Algorithm1, Answer, Config, Learner, Problem, learn_region};
+use critreg::learn::{Algorithm1, Config, Learner, Outcome, Problem, learn_region};
 use critreg::random::generator;
 use critreg::region::Theta;
 use critreg::skill::Scope;
@@ -57,7 +57,7 @@ pub fn learner<'m>(
 
 /// Asks and tells until the learner is finished, by the simulator.
 pub fn run<L: Learner>(learner: &mut L, problem: &Problem<'_>) -> Result<(), Error> {
-    let learned = learn_region(learner, problem, |_, query| -> Result<Answer, Error> {
+    let learned = learn_region(learner, problem, |_, query| -> Result<Outcome, Error> {
         ENVIRONMENT.try_pick(problem.instance(query.instance)?, &query.theta)
     });
     match learned {

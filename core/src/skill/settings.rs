@@ -4,7 +4,7 @@ use super::selection::{spread, swap_rows};
 use super::training::TrainingMemory;
 use super::{Describe, Informed, Scope, Skill, Skills};
 use crate::error::Error;
-use crate::learn::Answer;
+use crate::learn::Outcome;
 use crate::plan::{AbstractTask, Conclusion, Config, Planner, Simulated};
 use crate::random::generator;
 use crate::task::{
@@ -26,7 +26,7 @@ pub struct Setting {
     /// The operator, and then those up to the later one, if there is one.
     pub steps: Vec<GroundOperator, MAX_CHAIN>,
     /// What came of trying it, where that is tried once.
-    pub(super) answer: Option<Answer>,
+    pub(super) answer: Option<Outcome>,
 }
 
 impl Setting {

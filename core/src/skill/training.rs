@@ -6,7 +6,7 @@ use super::{Candidate, Describe, Setting, Skill, Skills};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::version_space::{Capacity, Config, Memory, VersionSpace};
-use crate::learn::{Answer, Learner, Problem, learn_region};
+use crate::learn::{Learner, Outcome, Problem, learn_region};
 use crate::random::{Generator, generator};
 use crate::region::{Region, Theta};
 use crate::task::{GroundOperator, State, Task};
@@ -224,7 +224,7 @@ impl Skills<'_> {
             let (answer, runs) = self.attempt(environment, setting, None, rng)?;
             setting.answer = Some(answer);
             calls += runs;
-            if !(chained && answer == Answer::FailedStep(1)) {
+            if !(chained && answer == Outcome::FailedStep(1)) {
                 if kept < index {
                     swap_rows(settings, 1, kept, index);
                 }

@@ -3,7 +3,7 @@
 use super::{Describe, Informed, MAX_CHAIN, Setting, Skills};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
-use crate::learn::Answer;
+use crate::learn::Outcome;
 use crate::plan::{Draw, Drawn, Sampler, Skeleton};
 use crate::random::Generator;
 use crate::region::Theta;
@@ -55,8 +55,8 @@ impl Skills<'_> {
         setting: &Setting,
         theta: Option<&[f64]>,
         rng: &mut Generator,
-    ) -> Result<(Answer, u32), Error> {
-        let (mut answer, mut runs) = (Answer::FailedStep(1), 0);
+    ) -> Result<(Outcome, u32), Error> {
+        let (mut answer, mut runs) = (Outcome::FailedStep(1), 0);
         let (mut after, mut tried) = (setting.state.clone(), Tried::Fails);
         for attempt in 1..=TRIES {
             // Given parameters need no second run.
@@ -68,11 +68,11 @@ impl Skills<'_> {
             if tried != Tried::Works {
                 continue;
             }
-            answer = Answer::FailedStep(2);
+            answer = Outcome::FailedStep(2);
             let (works, more, decided) = self.rest(environment, setting, &after, attempt, rng)?;
             runs += more;
             if works {
-                return Ok((Answer::Feasible, runs));
+                return Ok((Outcome::Feasible, runs));
             }
             if decided && theta.is_some() {
                 break;

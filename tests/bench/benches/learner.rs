@@ -5,7 +5,7 @@ use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_ma
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config};
-use critreg::learn::{Answer, Learner, Problem, Query, VersionSpace, learn_region};
+use critreg::learn::{Learner, Outcome, Problem, Query, VersionSpace, learn_region};
 use critreg::random::{generator, uniform};
 use critreg_tests::report;
 use critreg_tests::room::VersionSpaceRoom;
@@ -43,9 +43,9 @@ fn room(forms: usize, observations: usize, instances: usize) -> VersionSpaceRoom
     })
 }
 
-fn is_left_of_box(problem: &Problem<'_>, query: &Query) -> Answer {
+fn is_left_of_box(problem: &Problem<'_>, query: &Query) -> Outcome {
     let instance = problem.instance(query.instance).expect("an instance");
-    Answer::from_feasible(query.theta[0] <= instance[0] - 0.25)
+    Outcome::from_feasible(query.theta[0] <= instance[0] - 0.25)
 }
 
 /// One `tell` after so many others.

@@ -6,7 +6,7 @@
 
 use critreg::Error;
 use critreg::domain::Domain;
-use critreg::learn::{Algorithm1, Answer, Learner, Problem};
+use critreg::learn::{Algorithm1, Learner, Outcome, Problem};
 use critreg::random::{generator, uniform};
 use critreg::region::Region;
 use critreg_tests::report::{self, Run, Scenario, Statistics, Truth};
@@ -190,7 +190,7 @@ fn run<L: Learner>(
         let instance = problem.instance(query.instance).expect("an instance");
         let mut answer = scenario.judge(instance, &query.theta[..used]);
         if uniform(&mut flips) < scenario.noise {
-            answer = Answer::from_feasible(!answer.is_feasible());
+            answer = Outcome::from_feasible(!answer.is_feasible());
         }
         learner.tell(problem, answer).expect("room for the answer");
         let region = match learner.region() {

@@ -2,7 +2,7 @@
 
 use crate::plan::skills::TrainingRoom;
 use critreg::domain::MAX_PARAMETERS;
-use critreg::learn::Answer;
+use critreg::learn::Outcome;
 use critreg::random::{Generator, generator, uniform, uniform_in};
 use critreg::region::Theta;
 use critreg::skill::{Describe, Setting, Skills};
@@ -75,10 +75,11 @@ pub(super) fn judge<E: Describe>(
                 let theta = (parameters > 0).then_some(&theta[..parameters]);
                 let tried = skills.attempt(environment, setting, theta, &mut rng);
                 match tried.expect("trying does not fail").0 {
-                    Answer::Feasible => Some(true),
+                    Outcome::Feasible => Some(true),
                     // Of a chain where already the first step fails nothing is said.
-                    Answer::FailedStep(1) if setting.steps.len() > 1 => None,
-                    Answer::FailedStep(_) => Some(false),
+                    Outcome::FailedStep(1) if setting.steps.len() > 1 => None,
+                    Outcome::FailedStep(_) => Some(false),
+                    Outcome::Unknown => None,
                 }
             };
             let mut chance = generator((draw as u64) << 8);

@@ -9,7 +9,7 @@ use crate::plan::record;
 use crate::plan::skills::{self, SkillRoom, TrainingRoom};
 use crate::room::Algorithm1Room;
 use critreg::env::stick_button::{PICK_STICK, ROBOT, STICK};
-use critreg::learn::{Algorithm1, Answer, Problem, learn_region};
+use critreg::learn::{Algorithm1, Outcome, Problem, learn_region};
 use critreg::plan::Unguided;
 use critreg::random::generator;
 use critreg::region::Region;
@@ -132,7 +132,7 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
         let operator = &task::Environment::operators(&ENVIRONMENT)[1];
         let mu = query.theta[0] as f32;
         let tried = task::try_operator(&ENVIRONMENT, operator, &[ROBOT, STICK], &[mu], state);
-        Ok::<_, Error>(Answer::from_feasible(tried.is_feasible()))
+        Ok::<_, Error>(Outcome::from_feasible(tried.is_feasible()))
     });
     region.cloned()
 }

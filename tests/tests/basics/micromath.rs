@@ -4,7 +4,7 @@
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config, VersionSpace};
-use critreg::learn::{Answer, Problem, learn_region};
+use critreg::learn::{Outcome, Problem, learn_region};
 use critreg::random::{generator, uniform_in};
 use critreg::real::{Fast32, Real};
 use critreg_tests::room::VersionSpaceRoom;
@@ -89,7 +89,7 @@ fn learned<R: Real>(seed: u64) -> Result<(f64, f64), Error> {
     let region = learn_region(
         &mut learner,
         &problem,
-        |_, query| -> Result<Answer, Error> {
+        |_, query| -> Result<Outcome, Error> {
             let [x, y, theta] = problem.instance(query.instance)? else {
                 return Err(Error::NoSample);
             };
@@ -97,8 +97,8 @@ fn learned<R: Real>(seed: u64) -> Result<(f64, f64), Error> {
             let [hand_x, hand_y, ..] = query.theta;
             let (dx, dy) = (x + LENGTH * cosine - hand_x, y + LENGTH * sine - hand_y);
             Ok(match Real::sqrt(dx * dx + dy * dy) >= CLEARANCE {
-                true => Answer::Feasible,
-                false => Answer::FailedStep(1),
+                true => Outcome::Feasible,
+                false => Outcome::FailedStep(1),
             })
         },
     )?;

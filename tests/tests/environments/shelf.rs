@@ -12,7 +12,7 @@ use critreg::random::{Generator, generator};
 use critreg::region::Region;
 use critreg::skill::{Informed, Scope, Skill, Skills, Training};
 use critreg::task::{
-    Environment, ObjectId, OperatorId, Outcome, PredicateId, State, Task, Verdict, try_operator,
+    Environment, ObjectId, OperatorId, PredicateId, State, Task, Trial, Verdict, try_operator,
 };
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, learn_from};
 use critreg_tests::plan::{Grounding, Room};
@@ -46,14 +46,14 @@ fn place_gap(world: &World, pitch: f64, [x, y]: [f32; 2]) -> f64 {
     ])
 }
 
-fn pick(state: &State, theta: [f32; 2]) -> Outcome {
+fn pick(state: &State, theta: [f32; 2]) -> Trial {
     let [operator, _] = Shelf.operators() else {
         panic!()
     };
     try_operator(&Shelf, operator, &[ROBOT, BOX], &theta, state)
 }
 
-fn place(state: &State, theta: [f32; 2]) -> Outcome {
+fn place(state: &State, theta: [f32; 2]) -> Trial {
     let [_, operator] = Shelf.operators() else {
         panic!()
     };
@@ -74,7 +74,7 @@ fn drawn(operator: u8, state: &State, rng: &mut Generator) -> [f32; 2] {
 
 /// Compares the simulator with the gap of a closed form, unless that is a matter of
 /// rounding; counts what works and what does not.
-fn compare(outcome: &Outcome, gap: f64, counts: &mut [u32; 2], what: &str) {
+fn compare(outcome: &Trial, gap: f64, counts: &mut [u32; 2], what: &str) {
     if gap.abs() > 1e-9 {
         assert_eq!(outcome.is_feasible(), gap > 0.0, "{what}, gap {gap}");
         counts[usize::from(gap > 0.0)] += 1;
@@ -236,7 +236,7 @@ fn top_down_grasps_collide_below_a_low_board() {
             let picked = pick(&world.to_state().unwrap(), [1.5, yaw]);
             assert!(picked.is_feasible(), "a steep grasp is fine for picking");
             let placed = (0..200).map(|_| place(&picked.state, drawn(1, &picked.state, &mut rng)));
-            placed.filter(Outcome::is_feasible).count()
+            placed.filter(Trial::is_feasible).count()
         };
         let low = half_height(&task) + HAND_LENGTH * 1.5_f64.sin();
         assert_eq!(solved(low), 0);

@@ -4,7 +4,7 @@ use critreg::Error;
 use critreg::domain::{Domain, Node, NodeId, PointSet, Sample, Scene};
 use critreg::grammar::{Comparison, Features, Hypotheses};
 use critreg::learn::{
-    Algorithm1, Answer, Config, Learner, Problem, Query, resume, save, saved_len,
+    Algorithm1, Config, Learner, Outcome, Problem, Query, resume, save, saved_len,
 };
 use critreg_tests::room::Algorithm1Room;
 use critreg_tests::{arm, pick};
@@ -137,7 +137,7 @@ fn agree(
         assert_eq!(learner.ask(&problem).unwrap(), query, "asking twice");
         let feasible = answer(&problem, &query);
         learner
-            .tell(&problem, Answer::from_feasible(feasible))
+            .tell(&problem, Outcome::from_feasible(feasible))
             .unwrap();
         oracle.tell(&problem, &query, feasible);
         let mut remaining = Vec::new();
@@ -328,7 +328,7 @@ fn room_that_is_not_needed_changes_nothing() {
         while !learner.is_finished() {
             let query = learner.ask(&problem).unwrap();
             let wall = problem.instance(query.instance).unwrap()[0];
-            let answer = Answer::from_feasible(query.theta[0] < wall - 0.25);
+            let answer = Outcome::from_feasible(query.theta[0] < wall - 0.25);
             learner.tell(&problem, answer).unwrap();
         }
         (
@@ -348,11 +348,11 @@ fn a_full_log_is_an_answer() {
     let mut learner = pick::learner(&domain, 1, &mut room).unwrap();
     for _ in 0..2 {
         learner.ask(&problem).unwrap();
-        learner.tell(&problem, Answer::Feasible).unwrap();
+        learner.tell(&problem, Outcome::Feasible).unwrap();
     }
     let before = region_text(&learner, &domain);
     let query = learner.ask(&problem).unwrap();
-    let told = learner.tell(&problem, Answer::FailedStep(1));
+    let told = learner.tell(&problem, Outcome::FailedStep(1));
     assert_eq!(told, Err(Error::CapacityExceeded("observations")));
     assert_eq!(region_text(&learner, &domain), before);
     assert_eq!(learner.ask(&problem).unwrap(), query);
@@ -365,15 +365,15 @@ fn misuse_is_refused_and_changes_nothing() {
     let problem = Problem::new(&domain, &instances, 2).unwrap();
     let mut room = Algorithm1Room::new(4096, 16);
     let mut learner = pick::learner(&domain, 1, &mut room).unwrap();
-    let told = learner.tell(&problem, Answer::Feasible);
+    let told = learner.tell(&problem, Outcome::Feasible);
     assert!(matches!(told, Err(Error::OutOfSequence(_))));
     let query = learner.ask(&problem).unwrap();
-    assert!(learner.tell(&problem, Answer::FailedStep(0)).is_err());
+    assert!(learner.tell(&problem, Outcome::FailedStep(0)).is_err());
     let others = pick::instances(2, 2);
     let other = Problem::new(&domain, &others, 2).unwrap();
     assert!(matches!(learner.ask(&other), Err(Error::Mismatch(_))));
     assert!(matches!(
-        learner.tell(&other, Answer::Feasible),
+        learner.tell(&other, Outcome::Feasible),
         Err(Error::Mismatch(_))
     ));
     assert_eq!(learner.ask(&problem).unwrap(), query);
@@ -390,7 +390,7 @@ fn saved_runs_are_checked() {
     let mut room = Algorithm1Room::new(4096, 16);
     let mut learner = pick::learner(&domain, 1, &mut room).unwrap();
     learner.ask(&problem).unwrap();
-    learner.tell(&problem, Answer::FailedStep(1)).unwrap();
+    learner.tell(&problem, Outcome::FailedStep(1)).unwrap();
     let mut bytes = vec![0; saved_len(&learner, &problem)];
     save(&learner, &problem, &mut bytes).unwrap();
     assert!(matches!(
@@ -419,4 +419,35 @@ fn saved_runs_are_checked() {
     assert!(fresh.observations().is_empty());
     resume(&mut fresh, &problem, &bytes).unwrap();
     assert_eq!(fresh.observations().len(), 1);
+}
+
+/// The outcome in saved bytes and in C, and nothing else.
+#[test]
+fn outcomes_have_codes() {
+    let all = [Outcome::Feasible, Outcome::Unknown];
+    let failed = (1..=u8::MAX).map(Outcome::FailedStep);
+    for outcome in all.into_iter().chain(failed) {
+        assert_eq!(Outcome::from_code(outcome.code()), Ok(outcome));
+    }
+    for none in [0, 3, -256, i32::MIN, i32::MAX] {
+        let refused = Outcome::from_code(none);
+        assert!(matches!(refused, Err(Error::InvalidArgument(_))), "{none}");
+    }
+}
+
+/// The baseline, too, learns nothing from a trial without an answer, and goes on.
+#[test]
+fn an_unknown_outcome_prunes_nothing() {
+    let domain = pick::domain();
+    let instances = pick::instances(1, 1);
+    let problem = Problem::new(&domain, &instances, 1).unwrap();
+    let mut room = Algorithm1Room::new(4096, 16);
+    let mut learner = pick::learner(&domain, 1, &mut room).unwrap();
+    learner.ask(&problem).unwrap();
+    let before = learner.report();
+    learner.tell(&problem, Outcome::Unknown).unwrap();
+    let report = learner.report();
+    assert_eq!(report.remaining, before.remaining);
+    assert_eq!((report.calls, report.unknown, report.feasible), (1, 1, 0));
+    assert_eq!(learner.observations()[0].outcome, Outcome::Unknown);
 }

@@ -4,7 +4,7 @@
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config, Membership};
-use critreg::learn::{Answer, Learner, Problem, Query, VersionSpace, learn_region};
+use critreg::learn::{Learner, Outcome, Problem, Query, VersionSpace, learn_region};
 use critreg::random::{generator, uniform};
 use critreg::region::Region;
 use critreg_tests::room::VersionSpaceRoom;
@@ -87,7 +87,7 @@ proptest! {
         let mut told = Vec::new();
         while !learner.is_finished() {
             let query = learner.ask(&problem).unwrap();
-            learner.tell(&problem, Answer::from_feasible(works(&query))).unwrap();
+            learner.tell(&problem, Outcome::from_feasible(works(&query))).unwrap();
             told.push((sides(&instances, &query), works(&query)));
         }
         let mut rng = generator(seed ^ 3);
@@ -157,7 +157,7 @@ fn agreement(seed: u64) -> usize {
             let [cup_x, cup_y, lamp_x, _] = places[query.instance];
             let [x, y, ..] = query.theta;
             let works = (x - cup_x).hypot(y - cup_y) >= 0.75 && x <= lamp_x - 0.25;
-            Ok::<_, Error>(Answer::from_feasible(works))
+            Ok::<_, Error>(Outcome::from_feasible(works))
         })
         .unwrap()
         .clone();

@@ -3,7 +3,7 @@
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config};
-use critreg::learn::{Answer, Learner, Problem, VersionSpace, learn_region};
+use critreg::learn::{Learner, Outcome, Problem, VersionSpace, learn_region};
 use critreg::random::{generator, uniform_in};
 use critreg::region::{Region, Theta};
 use critreg_tests::room::VersionSpaceRoom;
@@ -65,7 +65,7 @@ fn learn(problem: &Problem<'_>, seed: u64) -> (Option<Region>, Vec<Theta>) {
         VersionSpace::new(problem.domain(), config(seed), capacity(), memory).unwrap();
     let learned = learn_region(&mut learner, problem, |_, query| {
         let target = problem.instance(query.instance)?;
-        Ok::<_, Error>(Answer::from_feasible(works(target, &query.theta)))
+        Ok::<_, Error>(Outcome::from_feasible(works(target, &query.theta)))
     });
     let region = match learned {
         Ok(region) => Some(region.clone()),
@@ -179,7 +179,7 @@ fn other_proposals_are_another_problem() {
     let mut learner = VersionSpace::new(&domain, config(3), capacity(), memory).unwrap();
     let helped = problem.with_proposals(&proposals).unwrap();
     learner.ask(&helped).unwrap();
-    learner.tell(&helped, Answer::Feasible).unwrap();
+    learner.tell(&helped, Outcome::Feasible).unwrap();
     assert!(matches!(learner.ask(&problem), Err(Error::Mismatch(_))));
     assert!(learner.ask(&helped).is_ok());
 }

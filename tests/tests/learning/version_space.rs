@@ -4,7 +4,7 @@ use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config, Evidence};
 use critreg::learn::{
-    Answer, Learner, Observation, Problem, Query, VersionSpace, learn_region, resume, save,
+    Learner, Observation, Outcome, Problem, Query, VersionSpace, learn_region, resume, save,
     saved_len,
 };
 use critreg::random::{generator, uniform, uniform_in};
@@ -85,10 +85,10 @@ proptest! {
             let query = learner.ask(&problem).unwrap();
             let instance = problem.instance(query.instance).unwrap();
             let works = is_clear(instance, &query) && query.theta[1] <= limit;
-            learner.tell(&problem, Answer::from_feasible(works)).unwrap();
+            learner.tell(&problem, Outcome::from_feasible(works)).unwrap();
             if let Ok(region) = learner.region() {
                 for o in learner.observations() {
-                    let expected = o.failed_step == 0;
+                    let expected = o.outcome.is_feasible();
                     prop_assert_eq!(admits(region, &problem, o), expected, "{:?}", o);
                 }
             }
@@ -105,7 +105,7 @@ proptest! {
         let try_one = |learner: &mut VersionSpace<'_, f64>| {
             let query = learner.ask(&problem).unwrap();
             let works = is_clear(problem.instance(query.instance).unwrap(), &query);
-            learner.tell(&problem, Answer::from_feasible(works)).unwrap();
+            learner.tell(&problem, Outcome::from_feasible(works)).unwrap();
         };
         let (mut first, mut second) = (room(CALLS, 3, 1), room(CALLS, 3, 1));
         let capacity = first.capacity;
@@ -141,7 +141,7 @@ proptest! {
             VersionSpace::new(&scenario.domain, config, capacity, room.lend()).unwrap();
         let mut rng = generator(seed ^ 1);
         let learned = learn_region(&mut learner, &problem, |_, _| {
-            Ok::<_, Error>(Answer::from_feasible(uniform(&mut rng) < share))
+            Ok::<_, Error>(Outcome::from_feasible(uniform(&mut rng) < share))
         });
         prop_assert_eq!(learned, Err(Error::NoRegion));
     }
@@ -158,7 +158,7 @@ proptest! {
             let mut learner =
                 VersionSpace::new(&scenario.domain, config, capacity, room.lend()).unwrap();
             let learned = learn_region(&mut learner, &problem, |_, query| {
-                Ok::<_, Error>(Answer::from_feasible(works(query)))
+                Ok::<_, Error>(Outcome::from_feasible(works(query)))
             });
             prop_assert_eq!(learned, Err(Error::NoRegion));
         }
@@ -179,7 +179,7 @@ fn several_parameters_are_learned_exactly() {
     let mut learner = VersionSpace::<f64>::new(&domain, config, capacity, room.lend()).unwrap();
     learn_region(&mut learner, &problem, |_, query| {
         let instance = problem.instance(query.instance)?;
-        Ok::<_, Error>(Answer::from_feasible(is_clear(instance, query)))
+        Ok::<_, Error>(Outcome::from_feasible(is_clear(instance, query)))
     })
     .unwrap();
     let learned = text::of_region(&domain, learner.region().unwrap());
@@ -235,11 +235,11 @@ fn misuse_is_refused_and_changes_nothing() {
     };
     assert!(VersionSpace::<f64>::new(&domain, bad, capacity, room.lend()).is_err());
     let mut learner = VersionSpace::<f64>::new(&domain, config(1), capacity, room.lend()).unwrap();
-    let told = learner.tell(&problem, Answer::Feasible);
+    let told = learner.tell(&problem, Outcome::Feasible);
     assert!(matches!(told, Err(Error::OutOfSequence(_))));
     let query = learner.ask(&problem).unwrap();
     for step in [0, 2] {
-        assert!(learner.tell(&problem, Answer::FailedStep(step)).is_err());
+        assert!(learner.tell(&problem, Outcome::FailedStep(step)).is_err());
     }
     assert_eq!(learner.ask(&problem).unwrap(), query);
     assert_eq!(learner.region(), Err(Error::NoRegion));
@@ -355,7 +355,7 @@ fn the_pieces_of_a_union_have_boundaries_of_their_own() {
         let mut learner = VersionSpace::<f64>::new(&domain, config, capacity, room.lend()).unwrap();
         let region = learn_region(&mut learner, &problem, |_, query| {
             let instance = problem.instance(query.instance)?;
-            Ok::<_, Error>(Answer::from_feasible(works(instance, query.theta[0])))
+            Ok::<_, Error>(Outcome::from_feasible(works(instance, query.theta[0])))
         });
         let learned = text::of_region(&domain, region.unwrap());
         for piece in [
@@ -364,5 +364,99 @@ fn the_pieces_of_a_union_have_boundaries_of_their_own() {
         ] {
             assert!(learned.contains(piece), "{seed}: {learned}");
         }
+    }
+}
+
+/// Every third trial has no answer. Nothing is learned from it, the rest is learned as
+/// always, and the run is saved with it.
+#[test]
+fn an_unknown_outcome_teaches_nothing() {
+    let domain = Domain::parse(TABLE).unwrap();
+    let instances = table_instances(5, 8);
+    let problem = Problem::new(&domain, &instances, 8).unwrap();
+    let config = Config {
+        calls: 150,
+        ..config(5)
+    };
+    let mut room = room(150, 8, 1);
+    let capacity = room.capacity;
+    let mut learner = VersionSpace::<f64>::new(&domain, config, capacity, room.lend()).unwrap();
+    let mut before = None;
+    for call in 0..150 {
+        let query = learner.ask(&problem).unwrap();
+        assert_ne!(
+            Some(query),
+            before,
+            "what has no answer is not asked again at once"
+        );
+        let outcome = if call % 3 == 2 {
+            Outcome::Unknown
+        } else {
+            Outcome::from_feasible(is_clear(problem.instance(query.instance).unwrap(), &query))
+        };
+        before = Some(query);
+        let known = learner.report();
+        let region = learner.region().ok().cloned();
+        learner.tell(&problem, outcome).unwrap();
+        if outcome == Outcome::Unknown {
+            let report = learner.report();
+            assert_eq!(report.unknown, known.unknown + 1);
+            assert_eq!(report.feasible, known.feasible);
+            assert_eq!(report.infeasible, known.infeasible);
+            // The last call ends with a selection of its own.
+            assert!(call == 149 || learner.region().ok() == region.as_ref());
+        }
+    }
+    assert_eq!(learner.report().unknown, 50);
+    let region = text::of_region(&domain, learner.region().unwrap());
+    for o in learner.observations() {
+        let works = is_clear(
+            problem.instance(o.instance as usize).unwrap(),
+            &Query {
+                instance: o.instance as usize,
+                theta: o.theta,
+            },
+        );
+        let admitted = admits(learner.region().unwrap(), &problem, o);
+        assert!(
+            o.outcome == Outcome::Unknown || admitted == works,
+            "{region}"
+        );
+    }
+    let mut bytes = vec![0; saved_len(&learner, &problem)];
+    save(&learner, &problem, &mut bytes).unwrap();
+    let mut other = self::room(150, 8, 1);
+    let mut resumed = VersionSpace::<f64>::new(&domain, config, capacity, other.lend()).unwrap();
+    resume(&mut resumed, &problem, &bytes).unwrap();
+    assert_eq!(text::of_region(&domain, resumed.region().unwrap()), region);
+    assert_eq!(resumed.observations(), learner.observations());
+}
+
+/// There is room for fewer observations than calls: the call that finds none changes
+/// nothing, and the question still waits.
+#[test]
+fn a_full_log_changes_nothing() {
+    let domain = Domain::parse(TABLE).unwrap();
+    let instances = table_instances(6, 4);
+    let problem = Problem::new(&domain, &instances, 4).unwrap();
+    let mut room = room(40, 4, 1);
+    let capacity = room.capacity;
+    let mut learner = VersionSpace::<f64>::new(&domain, config(6), capacity, room.lend()).unwrap();
+    for _ in 0..40 {
+        let query = learner.ask(&problem).unwrap();
+        let works = is_clear(problem.instance(query.instance).unwrap(), &query);
+        learner
+            .tell(&problem, Outcome::from_feasible(works))
+            .unwrap();
+    }
+    let query = learner.ask(&problem).unwrap();
+    let report = learner.report();
+    let region = text::of_region(&domain, learner.region().unwrap());
+    for outcome in [Outcome::Feasible, Outcome::FailedStep(1), Outcome::Unknown] {
+        let told = learner.tell(&problem, outcome);
+        assert_eq!(told, Err(Error::CapacityExceeded("observations")));
+        assert_eq!(learner.ask(&problem).unwrap(), query);
+        assert_eq!(learner.report(), report);
+        assert_eq!(text::of_region(&domain, learner.region().unwrap()), region);
     }
 }

@@ -3,7 +3,7 @@
 use critreg::Error;
 use critreg::env::cluttered_table::{ClutteredTable, GRASP, cans};
 use critreg::env::cover::{BLOCKS, Block, Cover, ROBOT, TARGETS, Target};
-use critreg::learn::Answer;
+use critreg::learn::Outcome;
 use critreg::learn::version_space::Config as LearnerConfig;
 use critreg::plan::{Draw, Drawn, Sampler, Skeleton};
 use critreg::random::{generator, uniform_in};
@@ -234,7 +234,7 @@ fn a_setting_is_tried_with_parameters_that_are_completed() {
             let all = [start[0], start[1], can[0], can[1]].map(|number| number as f32);
             let works = try_operator(&ClutteredTable, operator, objects, &all, &setting.state);
             let tried = skills.attempt(&ClutteredTable, &setting, Some(&start), &mut rng);
-            let expected = Answer::from_feasible(works.is_feasible());
+            let expected = Outcome::from_feasible(works.is_feasible());
             assert_eq!(tried.unwrap(), (expected, 1));
             counts[usize::from(works.is_feasible())] += 1;
         }
