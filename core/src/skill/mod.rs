@@ -17,23 +17,17 @@
 //! [`Informed`] plans with them: as a sampler it draws from the region of a step and
 //! those of all later steps at once, as a guide it postpones what cannot work.
 
-mod binding;
 mod changes;
-mod informed;
-mod scope;
-mod selection;
-mod settings;
-mod tail;
+mod context;
+mod planning;
+mod role_binding;
 mod training;
-mod trial;
-mod why;
 
-pub use binding::Binding;
 pub use changes::Changes;
-pub use informed::Informed;
-pub use scope::Scope;
-pub use settings::{Candidate, MAX_CHAIN, Setting};
-pub use training::{Learned, Training, TrainingMemory};
+pub use context::Scope;
+pub use planning::Informed;
+pub use role_binding::Binding;
+pub use training::{Candidate, Learned, MAX_CHAIN, Setting, Training, TrainingMemory};
 
 use crate::domain::Domain;
 use crate::error::Error;

@@ -1,9 +1,9 @@
 //! Why an operator cannot work, in words.
 
 use super::informed::Run;
-use super::tail::{MAX_PARTS, Tail};
-use super::{Describe, Informed, Scope, Skill};
+use super::joint_region::{MAX_PARTS, Tail};
 use crate::plan::{ReasonId, Skeleton};
+use crate::skill::{Describe, Informed, Scope, Skill};
 use crate::task::{GroundOperator, ObjectType};
 use core::fmt::{self, Write};
 

@@ -2,13 +2,13 @@
 
 use super::selection::swap_rows;
 use super::settings::{Wanted, survey};
-use super::{Candidate, Describe, Setting, Skill, Skills};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::version_space::{Capacity, Config, Memory, VersionSpace};
 use crate::learn::{Answer, Learner, Problem, learn_region};
 use crate::random::{Generator, generator};
 use crate::region::{Region, Theta};
+use crate::skill::{Candidate, Describe, Setting, Skill, Skills};
 use crate::task::{GroundOperator, State, Task};
 use heapless::VecView;
 

@@ -1,12 +1,12 @@
 //! Which settings a skill is tried in.
 
-use super::Skill;
-use super::training::TrainingMemory;
+use super::trainer::TrainingMemory;
 use crate::domain::{Node, PointSet, Scene};
 use crate::error::Error;
 use crate::grammar::Features;
 use crate::real::Real;
 use crate::region::Theta;
+use crate::skill::Skill;
 
 /// The most complex features that count.
 const COMPLEXITY: usize = 2;

@@ -1,12 +1,12 @@
 //! Where a skill is tried: states in which its operators are applicable.
 
 use super::selection::{spread, swap_rows};
-use super::training::TrainingMemory;
-use super::{Describe, Informed, Scope, Skill, Skills};
+use super::trainer::TrainingMemory;
 use crate::error::Error;
 use crate::learn::Answer;
 use crate::plan::{AbstractTask, Conclusion, Config, Planner, Simulated};
 use crate::random::generator;
+use crate::skill::{Describe, Informed, Scope, Skill, Skills};
 use crate::task::{
     Arguments, AtomSet, Atoms, ControllerId, GroundOperator, ObjectId, PredicateId, State, Task,
     ground_operators,

@@ -1,11 +1,11 @@
 //! Planning with regions.
 
-use super::tail::Tail;
-use super::trial::completed;
-use super::{Describe, Scope, Skill, Skills};
+use super::joint_region::Tail;
 use crate::error::Error;
 use crate::plan::{Advice, Draw, Drawn, Guide, ReasonId, Sampler, Simulated, Skeleton};
 use crate::random::uniform;
+use crate::skill::training::completed;
+use crate::skill::{Describe, Scope, Skill, Skills};
 use crate::task::{Arguments, Controller, ControllerId, GroundOperator, State};
 use rand_core::Rng;
 

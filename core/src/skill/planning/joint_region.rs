@@ -1,8 +1,8 @@
 //! The regions of a step and of the steps after it.
 
-use super::Skill;
 use crate::error::Error;
 use crate::region::{Intersection, Part, Region, Theta};
+use crate::skill::Skill;
 use crate::table::gather;
 use crate::task::MAX_STATE_VALUES;
 use heapless::Vec;

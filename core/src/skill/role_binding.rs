@@ -1,6 +1,6 @@
 //! Roles: from a state and ground operators to an instance of a domain text.
 
-use super::scope::Scope;
+use super::context::Scope;
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::task::{Environment, MAX_STATE_VALUES, ObjectId, ObjectType, TypeId};

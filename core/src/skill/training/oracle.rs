@@ -1,12 +1,12 @@
 //! Trying a setting: the question that the learner of a skill asks.
 
-use super::{Describe, Informed, MAX_CHAIN, Setting, Skills};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
 use crate::learn::Answer;
 use crate::plan::{Draw, Drawn, Sampler, Skeleton};
 use crate::random::Generator;
 use crate::region::Theta;
+use crate::skill::{Describe, Informed, MAX_CHAIN, Setting, Skills};
 use crate::task::{GroundOperator, Parameters, State, try_operator};
 
 /// How often operators whose parameters are free are tried before they count as
@@ -156,7 +156,7 @@ impl Skills<'_> {
 }
 
 /// The first parameters, and behind them those of the original sampler.
-pub(super) fn completed<E: Describe, R: rand_core::Rng>(
+pub(in crate::skill) fn completed<E: Describe, R: rand_core::Rng>(
     environment: &E,
     ground: &GroundOperator,
     state: &State,
