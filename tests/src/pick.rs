@@ -6,7 +6,7 @@ use critreg::env::stick_button::{ROBOT, STICK, StickButton};
 use critreg::learn::{Algorithm1, Answer, Config, Learner, Problem, learn_region};
 use critreg::random::generator;
 use critreg::region::Theta;
-use critreg::skill::Scope;
+use critreg::skill::Context;
 use critreg::task::State;
 
 use crate::room::Room;
@@ -67,8 +67,8 @@ pub fn run<L: Learner>(learner: &mut L, problem: &Problem<'_>) -> Result<(), Err
 }
 
 /// Who fills the roles of PickStick in a state.
-pub fn scope(state: &State) -> Scope<'_, StickButton> {
-    Scope {
+pub fn context(state: &State) -> Context<'_, StickButton> {
+    Context {
         environment: &ENVIRONMENT,
         state,
         own: &[ROBOT, STICK],

@@ -10,7 +10,7 @@ use critreg::learn::version_space::Config as LearnerConfig;
 use critreg::plan::{Conclusion, Config, Metrics, Planner};
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
-use critreg::skill::{Informed, Scope, Skill, Skills, Training};
+use critreg::skill::{Context, Informed, Skill, Skills, Training};
 use critreg::task::{
     Environment, ObjectId, OperatorId, Outcome, PredicateId, State, Task, Verdict, try_operator,
 };
@@ -356,7 +356,7 @@ const TRUE_REGIONS: [&str; 3] = [
 
 /// Whether a skill says that parameters work in a state.
 fn says(skill: &Skill, state: &State, own: &[ObjectId], theta: [f32; 2]) -> bool {
-    let scope = Scope {
+    let context = Context {
         environment: &Shelf,
         state,
         own,
@@ -364,7 +364,7 @@ fn says(skill: &Skill, state: &State, own: &[ObjectId], theta: [f32; 2]) -> bool
         among: &[],
     };
     let mut instance = vec![0.0; skill.binding().len()];
-    skill.binding().instance(&scope, &mut instance).unwrap();
+    skill.binding().instance(&context, &mut instance).unwrap();
     let region = skill.region().expect("there is a region");
     let theta = theta.map(f64::from);
     region

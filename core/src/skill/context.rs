@@ -2,9 +2,9 @@
 
 use crate::task::{Environment, ObjectId, PredicateId, State, TypeId};
 
-/// What the roles of a domain text are filled from; see [`Binding`](super::Binding).
+/// What the roles of a domain text are filled from; see [`RoleBinding`](super::RoleBinding).
 #[derive(Debug)]
-pub struct Scope<'a, E> {
+pub struct Context<'a, E> {
     /// The environment.
     pub environment: &'a E,
     /// The state before the controller.
@@ -17,7 +17,7 @@ pub struct Scope<'a, E> {
     pub among: &'a [PredicateId],
 }
 
-impl<E: Environment> Scope<'_, E> {
+impl<E: Environment> Context<'_, E> {
     /// The objects of a type that count as members of groups.
     pub(super) fn members(&self, kind: TypeId) -> impl Iterator<Item = ObjectId> {
         self.state.of_type(kind).filter(move |object| {

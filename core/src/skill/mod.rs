@@ -2,7 +2,7 @@
 //!
 //! An environment says in a domain text what can be said of a controller, or of two
 //! that run one after the other ([`Describe`]). The objects of the text are *roles*,
-//! which a state and ground operators fill ([`Binding`]). From training tasks
+//! which a state and ground operators fill ([`RoleBinding`]). From training tasks
 //! [`Skills::learn`] learns regions (the thesis's RegionLearningApproach, 5.2, and its
 //! sequential feasibility, 7.2):
 //!
@@ -24,10 +24,10 @@ mod role_binding;
 mod training;
 
 pub use changes::Changes;
-pub use context::Scope;
+pub use context::Context;
 pub use planning::Informed;
-pub use role_binding::Binding;
-pub use training::{Candidate, Learned, MAX_CHAIN, Setting, Training, TrainingMemory};
+pub use role_binding::RoleBinding;
+pub use training::{Candidate, Learned, MAX_CHAIN, Situation, Training, TrainingMemory};
 
 use crate::domain::Domain;
 use crate::error::Error;
@@ -45,7 +45,7 @@ pub struct Description {
     /// Predicates of one object that hold of every member of a group: objects of which
     /// one does not hold do not count.
     pub among: &'static [PredicateId],
-    /// The domain text; its objects are roles: see [`Binding`].
+    /// The domain text; its objects are roles: see [`RoleBinding`].
     pub text: &'static str,
 }
 
@@ -61,7 +61,7 @@ pub trait Describe: Environment {
 pub struct Skill {
     description: Description,
     domain: Domain<'static>,
-    binding: Binding,
+    binding: RoleBinding,
     region: Option<Region>,
     /// A bit for each number of an instance that the region reads.
     reads: u64,
@@ -81,7 +81,7 @@ impl Skill {
     }
 
     /// How its instances are made.
-    pub fn binding(&self) -> &Binding {
+    pub fn binding(&self) -> &RoleBinding {
         &self.binding
     }
 
@@ -116,7 +116,7 @@ impl<'m> Skills<'m> {
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`] if there is no room, those of [`Domain::parse`] and
-    /// of [`Binding::new`].
+    /// of [`RoleBinding::new`].
     pub fn new<E: Describe>(
         environment: &E,
         skills: &'m mut [Option<Skill>],
@@ -143,7 +143,7 @@ impl<'m> Skills<'m> {
             let later = later.map_or(&[][..], |later| later.arguments);
             *skill = Some(Skill {
                 description: *description,
-                binding: Binding::new(&domain, environment.types(), own.arguments, later)?,
+                binding: RoleBinding::new(&domain, environment.types(), own.arguments, later)?,
                 domain,
                 region: None,
                 reads: 0,

@@ -1,6 +1,6 @@
 //! Roles: from a state and ground operators to an instance of a domain text.
 
-use super::context::Scope;
+use super::context::Context;
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::task::{Environment, MAX_STATE_VALUES, ObjectId, ObjectType, TypeId};
@@ -46,14 +46,14 @@ struct Source {
 /// count as members of groups can be narrowed by predicates:
 /// [`Description::among`](super::Description::among).
 #[derive(Clone, Debug)]
-pub struct Binding {
+pub struct RoleBinding {
     sources: Vec<Source, MAX_STATE_VALUES>,
 }
 
 const NO_ROLE: Error =
     Error::Mismatch("an object of the text is no role: no type has its name and its attributes");
 
-impl Binding {
+impl RoleBinding {
     /// The binding of a text's objects, for controllers with objects of these types.
     ///
     /// # Errors
@@ -76,7 +76,7 @@ impl Binding {
             let pushed = sources.push(source);
             pushed.map_err(|_| Error::CapacityExceeded("numbers of an instance"))?;
         }
-        Ok(Binding { sources })
+        Ok(RoleBinding { sources })
     }
 
     /// How many numbers an instance has.
@@ -89,19 +89,19 @@ impl Binding {
         self.sources.is_empty()
     }
 
-    /// Writes the instance of a scope to `out`, which has a place for each number.
+    /// Writes the instance of a context to `out`, which has a place for each number.
     ///
     /// # Errors
     /// [`Error::Mismatch`] if nobody, or not one object alone, fills a role.
     pub fn instance<E: Environment>(
         &self,
-        scope: &Scope<'_, E>,
+        context: &Context<'_, E>,
         out: &mut [f64],
     ) -> Result<(), Error> {
         const NOBODY: Error = Error::Mismatch("a role is not filled by one object");
         for (source, number) in self.sources.iter().zip(out) {
-            let object = source.object(scope);
-            *number = match object.and_then(|o| scope.state.attributes(o)) {
+            let object = source.object(context);
+            *number = match object.and_then(|o| context.state.attributes(o)) {
                 Some(attributes) => *attributes.get(source.attribute).ok_or(NOBODY)?,
                 None if source.holder.kind_of_members().is_some() => f64::NAN,
                 None => return Err(NOBODY),
@@ -114,10 +114,10 @@ impl Binding {
     pub(super) fn source<E: Environment>(
         &self,
         slot: usize,
-        scope: &Scope<'_, E>,
+        context: &Context<'_, E>,
     ) -> Option<(ObjectId, usize)> {
         let source = self.sources.get(slot)?;
-        Some((source.object(scope)?, source.attribute))
+        Some((source.object(context)?, source.attribute))
     }
 
     /// The type of whose objects a number of an instance is one of several.
@@ -136,16 +136,16 @@ impl Holder {
 }
 
 impl Source {
-    fn object<E: Environment>(&self, scope: &Scope<'_, E>) -> Option<ObjectId> {
+    fn object<E: Environment>(&self, context: &Context<'_, E>) -> Option<ObjectId> {
         let is_other =
-            |object: &ObjectId| !scope.own.contains(object) && !scope.later.contains(object);
+            |object: &ObjectId| !context.own.contains(object) && !context.later.contains(object);
         match self.holder {
-            Holder::Own(place) => scope.own.get(place).copied(),
-            Holder::Later(place) => scope.later.get(place).copied(),
-            Holder::Member(kind, index) => scope.members(kind).nth(index),
-            Holder::OtherMember(kind, index) => scope.members(kind).filter(is_other).nth(index),
-            Holder::Only(kind) => single(scope.state.of_type(kind)),
-            Holder::Other(kind) => single(scope.state.of_type(kind).filter(is_other)),
+            Holder::Own(place) => context.own.get(place).copied(),
+            Holder::Later(place) => context.later.get(place).copied(),
+            Holder::Member(kind, index) => context.members(kind).nth(index),
+            Holder::OtherMember(kind, index) => context.members(kind).filter(is_other).nth(index),
+            Holder::Only(kind) => single(context.state.of_type(kind)),
+            Holder::Other(kind) => single(context.state.of_type(kind).filter(is_other)),
         }
     }
 }

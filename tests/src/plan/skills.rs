@@ -8,7 +8,7 @@ use critreg::learn::version_space::Capacity;
 use critreg::random::generator;
 use critreg::region::Theta;
 use critreg::skill::{
-    Candidate, Changes, Describe, Learned, Setting, Skill, Skills, Training, TrainingMemory,
+    Candidate, Changes, Describe, Learned, Situation, Skill, Skills, Training, TrainingMemory,
 };
 use critreg::task::{GroundOperator, Task};
 use std::ops::RangeInclusive;
@@ -39,7 +39,7 @@ impl SkillRoom {
 /// The memory of learning a skill.
 pub struct TrainingRoom {
     capacity: Capacity,
-    settings: Vec<Option<Setting>>,
+    situations: Vec<Option<Situation>>,
     candidates: Vec<Candidate>,
     proposals: Vec<Theta>,
     instances: Vec<f64>,
@@ -68,7 +68,7 @@ impl TrainingRoom {
         };
         TrainingRoom {
             capacity,
-            settings: (0..2 * instances).map(|_| None).collect(),
+            situations: (0..2 * instances).map(|_| None).collect(),
             candidates: vec![Candidate::default(); candidates],
             proposals: vec![Theta::default(); candidates],
             instances: vec![0.0; 64 * candidates],
@@ -81,7 +81,7 @@ impl TrainingRoom {
     /// Lends all of it.
     pub fn lend(&mut self) -> TrainingMemory<'_> {
         TrainingMemory {
-            settings: &mut self.settings,
+            situations: &mut self.situations,
             candidates: &mut self.candidates,
             proposals: &mut self.proposals,
             instances: &mut self.instances,

@@ -5,12 +5,12 @@ use critreg::domain::MAX_PARAMETERS;
 use critreg::learn::Answer;
 use critreg::random::{Generator, generator, uniform, uniform_in};
 use critreg::region::Theta;
-use critreg::skill::{Describe, Setting, Skills};
+use critreg::skill::{Describe, Situation, Skills};
 use critreg::task::{Environment, Task};
 use std::fmt;
 
-/// Settings to judge in, and parameters in each of them.
-const SETTINGS: usize = 40;
+/// Situations to judge in, and parameters in each of them.
+const SITUATIONS: usize = 40;
 const DRAWS: usize = 25;
 
 /// Counts of parameters: of those the region admits and of those that work, and of both.
@@ -49,22 +49,26 @@ pub(super) fn judge<E: Describe>(
     let Some(region) = skills.get(index).and_then(|s| s.region()).cloned() else {
         return judged;
     };
-    let count = skills.settings(index, environment, tests, SETTINGS, room.lend());
-    let settings: Vec<Setting> = {
+    let count = skills.situations(index, environment, tests, SITUATIONS, room.lend());
+    let situations: Vec<Situation> = {
         let count = count.expect("there is room");
         let memory = room.lend();
-        memory.settings[..count].iter().flatten().cloned().collect()
+        memory.situations[..count]
+            .iter()
+            .flatten()
+            .cloned()
+            .collect()
     };
     let mut rng = generator(index as u64);
-    for setting in &settings {
+    for situation in &situations {
         let skill = skills.get(index).expect("it is there");
         let (domain, mut numbers) = (skill.domain().clone(), vec![0.0; skill.binding().len()]);
         skill
-            .instance(environment, setting, &mut numbers)
-            .expect("the setting is of the skill");
+            .instance(environment, situation, &mut numbers)
+            .expect("the situation is of the skill");
         let parameters = domain.parameters().len();
         let grounded = region.ground::<f64>(&domain, &numbers).expect("a region");
-        let proposal = proposal(environment, setting, &mut rng);
+        let proposal = proposal(environment, situation, &mut rng);
         let space: Vec<[f64; 2]> = domain
             .parameters()
             .iter()
@@ -73,11 +77,11 @@ pub(super) fn judge<E: Describe>(
         for draw in 0..if parameters == 0 { 1 } else { DRAWS } {
             let mut works = |theta: &Theta, skills: &mut Skills<'_>| {
                 let theta = (parameters > 0).then_some(&theta[..parameters]);
-                let tried = skills.attempt(environment, setting, theta, &mut rng);
+                let tried = skills.attempt(environment, situation, theta, &mut rng);
                 match tried.expect("trying does not fail").0 {
                     Answer::Feasible => Some(true),
                     // Of a chain where already the first step fails nothing is said.
-                    Answer::FailedStep(1) if setting.steps.len() > 1 => None,
+                    Answer::FailedStep(1) if situation.steps.len() > 1 => None,
                     Answer::FailedStep(_) => Some(false),
                 }
             };
@@ -100,9 +104,9 @@ pub(super) fn judge<E: Describe>(
 }
 
 /// Parameters of the original sampler.
-fn proposal<E: Environment>(environment: &E, setting: &Setting, rng: &mut Generator) -> Theta {
-    let own = &setting.steps[0];
-    let drawn = environment.sample(own.operator, &setting.state, own.objects.as_slice(), rng);
+fn proposal<E: Environment>(environment: &E, situation: &Situation, rng: &mut Generator) -> Theta {
+    let own = &situation.steps[0];
+    let drawn = environment.sample(own.operator, &situation.state, own.objects.as_slice(), rng);
     let mut theta = [0.0; MAX_PARAMETERS];
     for (value, drawn) in theta.iter_mut().zip(drawn) {
         *value = f64::from(drawn);

@@ -120,7 +120,7 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
     let length = skill.binding().len();
     let mut instances = vec![0.0; states.len() * length];
     for (state, numbers) in states.iter().zip(instances.chunks_exact_mut(length)) {
-        skill.binding().instance(&pick::scope(state), numbers)?;
+        skill.binding().instance(&pick::context(state), numbers)?;
     }
     let problem = Problem::new(skill.domain(), &instances, states.len())?;
     let mut room = room::Room::new(20_000, 102);

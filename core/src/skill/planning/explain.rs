@@ -1,9 +1,9 @@
 //! Why an operator cannot work, in words.
 
 use super::informed::Run;
-use super::joint_region::{MAX_PARTS, Tail};
+use super::joint_region::{JointRegion, MAX_PARTS};
 use crate::plan::{ReasonId, Skeleton};
-use crate::skill::{Describe, Informed, Scope, Skill};
+use crate::skill::{Context, Describe, Informed, Skill};
 use crate::task::{GroundOperator, ObjectType};
 use core::fmt::{self, Write};
 
@@ -27,7 +27,7 @@ impl<E: Describe> Informed<'_, E> {
         out: &mut dyn Write,
     ) -> fmt::Result {
         let blocked = operators.get(usize::from(place)).ok_or(fmt::Error)?;
-        let (after, tail) = self.cause(operators, place);
+        let (after, joint) = self.cause(operators, place);
         let run = |ground| self.run(ground).ok_or(fmt::Error);
         let (own, later) = (run(after.unwrap_or(blocked))?, run(blocked)?);
         self.write_run(&later, out)?;
@@ -38,7 +38,7 @@ impl<E: Describe> Informed<'_, E> {
         let mut out = Named {
             skill: None,
             types: self.environment.types(),
-            scope: Scope {
+            context: Context {
                 environment: self.environment,
                 state: self.initial,
                 own: own.objects.as_slice(),
@@ -47,8 +47,8 @@ impl<E: Describe> Informed<'_, E> {
             },
             out,
         };
-        match write_constraints(&tail, true, &mut out)? {
-            0 => write_constraints(&tail, false, &mut out).map(|_| ()),
+        match write_constraints(&joint, true, &mut out)? {
+            0 => write_constraints(&joint, false, &mut out).map(|_| ()),
             _ => Ok(()),
         }
     }
@@ -59,12 +59,12 @@ impl<E: Describe> Informed<'_, E> {
         &self,
         operators: &'o [GroundOperator],
         place: u16,
-    ) -> (Option<&'o GroundOperator>, Tail<'_>) {
+    ) -> (Option<&'o GroundOperator>, JointRegion<'_>) {
         let known = |places: &[u16]| {
             let skeleton = Skeleton::new(operators, places);
-            self.tail(skeleton, self.initial, |_, _| true)
+            self.joint(skeleton, self.initial, |_, _| true)
         };
-        let is_apart = |tail: &Tail<'_>| tail.are_apart(MAX_PARTS).unwrap_or(false);
+        let is_apart = |joint: &JointRegion<'_>| joint.are_apart(MAX_PARTS).unwrap_or(false);
         let alone = known(&[place]);
         if is_apart(&alone) {
             return (None, alone);
@@ -73,9 +73,9 @@ impl<E: Describe> Informed<'_, E> {
             let pairs = (0..)
                 .zip(operators)
                 .map(|(own, ground)| (Some(ground), known(&[own, place])));
-            pairs.filter(|(_, tail)| tail.skills.iter().any(|(.., step)| *step > 0))
+            pairs.filter(|(_, joint)| joint.skills.iter().any(|(.., step)| *step > 0))
         };
-        let apart = pairs().find(|(_, tail)| is_apart(tail));
+        let apart = pairs().find(|(_, joint)| is_apart(joint));
         apart.or_else(|| pairs().next()).unwrap_or((None, alone))
     }
 
@@ -96,17 +96,17 @@ impl<E: Describe> Informed<'_, E> {
 /// Writes constraints of the regions; only those that alone keep the regions from meeting,
 /// or all. Returns how many.
 fn write_constraints<'t, E: Describe>(
-    tail: &Tail<'t>,
+    joint: &JointRegion<'t>,
     deciding: bool,
     out: &mut Named<'t, '_, E>,
 ) -> Result<u32, fmt::Error> {
     let mut count = 0;
-    for (place, (skill, ..)) in tail.skills.iter().enumerate() {
+    for (place, (skill, ..)) in joint.skills.iter().enumerate() {
         let Some(region) = &skill.region else {
             continue;
         };
         for index in 0..region.formula().conjunct_count() {
-            if deciding && !tail.meet_without(place, index).unwrap_or(false) {
+            if deciding && !joint.meet_without(place, index).unwrap_or(false) {
                 continue;
             }
             out.skill = None;
@@ -125,7 +125,7 @@ fn write_constraints<'t, E: Describe>(
 struct Named<'t, 'o, E> {
     skill: Option<&'t Skill>,
     types: &'o [ObjectType],
-    scope: Scope<'o, E>,
+    context: Context<'o, E>,
     out: &'o mut dyn Write,
 }
 
@@ -136,8 +136,8 @@ impl<E: Describe> Write for Named<'_, '_, E> {
             let mut roles = skill.domain.objects().iter();
             let role = roles.find(|o| o.name == word && o.member.is_none())?;
             let slot = usize::from(role.first_slot);
-            let source = skill.binding.source(slot, &self.scope);
-            self.scope.state.name(self.types, source?.0)
+            let source = skill.binding.source(slot, &self.context);
+            self.context.state.name(self.types, source?.0)
         });
         match name {
             Some(name) => name.write(self.out),

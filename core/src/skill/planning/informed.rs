@@ -1,11 +1,11 @@
 //! Planning with regions.
 
-use super::joint_region::Tail;
+use super::joint_region::JointRegion;
 use crate::error::Error;
 use crate::plan::{Advice, Draw, Drawn, Guide, ReasonId, Sampler, Simulated, Skeleton};
 use crate::random::uniform;
 use crate::skill::training::completed;
-use crate::skill::{Describe, Scope, Skill, Skills};
+use crate::skill::{Context, Describe, Skill, Skills};
 use crate::task::{Arguments, Controller, ControllerId, GroundOperator, State};
 use rand_core::Rng;
 
@@ -80,52 +80,52 @@ impl<'a, E: Describe> Informed<'a, E> {
 
     /// The regions of a step, and those of later steps, in a state before the first; only
     /// those of which `counts` is true.
-    pub(super) fn tail(
+    pub(super) fn joint(
         &self,
         skeleton: Skeleton<'_>,
         state: &State,
-        counts: impl Fn(&Skill, &Scope<'_, E>) -> bool,
-    ) -> Tail<'a> {
-        let mut tail = Tail::default();
+        counts: impl Fn(&Skill, &Context<'_, E>) -> bool,
+    ) -> JointRegion<'a> {
+        let mut joint = JointRegion::default();
         let mut runs = skeleton.iter().map_while(|ground| self.run(ground));
         let Some(own) = runs.next() else {
-            return tail;
+            return joint;
         };
         let none = Arguments::default();
-        self.add(&mut tail, (&own, 0), (None, &none), state, &counts);
+        self.add(&mut joint, (&own, 0), (None, &none), state, &counts);
         if own.controller.parameters.is_empty() {
-            return tail;
+            return joint;
         }
         for (step, later) in (1..).zip(runs) {
             let about = (Some(later.id), &later.objects);
-            self.add(&mut tail, (&own, step), about, state, &counts);
+            self.add(&mut joint, (&own, step), about, state, &counts);
             if later.decides_anew(&own) {
                 break;
             }
         }
-        tail
+        joint
     }
 
     /// Adds what is known of a controller, or of it and a later one.
     fn add(
         &self,
-        tail: &mut Tail<'a>,
+        joint: &mut JointRegion<'a>,
         (own, step): (&Run<E>, usize),
         (id, later): (Option<ControllerId>, &Arguments),
         state: &State,
-        counts: impl Fn(&Skill, &Scope<'_, E>) -> bool,
+        counts: impl Fn(&Skill, &Context<'_, E>) -> bool,
     ) {
         let known = self.skills.about(own.id, id);
         for skill in known.filter(|skill| skill.region.is_some()) {
-            let scope = Scope {
+            let context = Context {
                 environment: self.environment,
                 state,
                 own: own.objects.as_slice(),
                 later: later.as_slice(),
                 among: skill.description.among,
             };
-            if counts(skill, &scope) {
-                tail.add(skill, step, |out| skill.binding.instance(&scope, out));
+            if counts(skill, &context) {
+                joint.add(skill, step, |out| skill.binding.instance(&context, out));
             }
         }
     }
@@ -156,10 +156,10 @@ impl<'a, E: Describe> Informed<'a, E> {
                 continue;
             }
             let (state, unknown) = self.expected(prefix.until(own));
-            let tail = self.tail(prefix.from(own), &state, |skill, scope| {
-                skill.is_settled(scope, unknown)
+            let joint = self.joint(prefix.from(own), &state, |skill, context| {
+                skill.is_settled(context, unknown)
             });
-            if tail.are_apart(tail.skills.len())? {
+            if joint.are_apart(joint.skills.len())? {
                 return Ok(true);
             }
         }
@@ -182,9 +182,9 @@ impl<'a, E: Describe> Informed<'a, E> {
 impl Skill {
     /// Whether all that its region reads can be told; `unknown` has a bit for each number
     /// of the state that cannot.
-    fn is_settled<E: Describe>(&self, scope: &Scope<'_, E>, unknown: u64) -> bool {
+    fn is_settled<E: Describe>(&self, context: &Context<'_, E>, unknown: u64) -> bool {
         let is_unknown = |object, attribute| {
-            let number = scope
+            let number = context
                 .state
                 .place(object)
                 .map_or(63, |first| first + attribute);
@@ -193,14 +193,16 @@ impl Skill {
         let mut read = (0..self.binding.len()).filter(|slot| self.reads >> slot & 1 == 1);
         unknown == 0
             || read.all(|slot| {
-                let source = self.binding.source(slot, scope);
+                let source = self.binding.source(slot, context);
                 let own = source.is_none_or(|(object, attribute)| !is_unknown(object, attribute));
                 // Who is a member at all may depend on anything.
                 let kind = self.binding.kind_of_members(slot);
-                let kind = kind.filter(|kind| scope.is_narrowed(*kind));
-                let mut members = kind.into_iter().flat_map(|kind| scope.state.of_type(kind));
+                let kind = kind.filter(|kind| context.is_narrowed(*kind));
+                let mut members = kind
+                    .into_iter()
+                    .flat_map(|kind| context.state.of_type(kind));
                 own && !members.any(|object| {
-                    let count = scope.state.attributes(object).map_or(0, <[f64]>::len);
+                    let count = context.state.attributes(object).map_or(0, <[f64]>::len);
                     (0..count).any(|attribute| is_unknown(object, attribute))
                 })
             })
@@ -242,8 +244,8 @@ impl<E: Describe> Sampler<Simulated<'_, E>> for Informed<'_, E> {
     fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
         let everywhere = self.everywhere > 0.0 && uniform(rng) < self.everywhere;
         if draw.advised && !everywhere {
-            let tail = self.tail(draw.skeleton.from(draw.step), draw.state, |_, _| true);
-            if let Some(drawn) = self.draw(&tail, draw, rng)? {
+            let joint = self.joint(draw.skeleton.from(draw.step), draw.state, |_, _| true);
+            if let Some(drawn) = self.draw(&joint, draw, rng)? {
                 return Ok(drawn);
             }
         }
@@ -256,43 +258,43 @@ impl<E: Describe> Informed<'_, E> {
     /// Draws where the regions meet; `None` if nothing is known.
     fn draw<R: Rng>(
         &self,
-        tail: &Tail<'_>,
+        joint: &JointRegion<'_>,
         draw: &Draw<'_, State>,
         rng: &mut R,
     ) -> Result<Option<Drawn>, Error> {
         let run = self.run(draw.operator);
         let sampled = run.is_some_and(|run| !run.controller.parameters.is_empty());
-        if tail.skills.is_empty() {
+        if joint.skills.is_empty() {
             return Ok(None);
         }
-        if sampled && tail.parameters() == 0 {
+        if sampled && joint.parameters() == 0 {
             // What is known is about the state, and leaves the parameters free.
-            let apart = tail.are_apart(tail.skills.len())?;
-            return apart.then(|| self.blame(tail, draw)).transpose();
+            let apart = joint.are_apart(joint.skills.len())?;
+            return apart.then(|| self.blame(joint, draw)).transpose();
         }
         if draw.attempt > self.tries {
             return Ok(Some(Drawn::Empty(reason(draw.skeleton, draw.step))));
         }
         let margin = if draw.attempt > 1 { 0.0 } else { self.margin };
-        match tail.sample(margin, rng) {
+        match joint.sample(margin, rng) {
             Ok(theta) => {
-                let theta = theta.get(..tail.parameters()).unwrap_or_default();
+                let theta = theta.get(..joint.parameters()).unwrap_or_default();
                 let (ground, state) = (draw.operator, draw.state);
                 let parameters = completed(self.environment, ground, state, theta, rng);
                 Ok(Some(Drawn::Informed(parameters)))
             }
             // That nothing was found is no proof, but this is advice, and ends.
-            Err(Error::EmptyRegion | Error::NoSample) => self.blame(tail, draw).map(Some),
+            Err(Error::EmptyRegion | Error::NoSample) => self.blame(joint, draw).map(Some),
             Err(error) => Err(error),
         }
     }
 
     /// Blames the first step with which the regions have nothing in common.
-    fn blame(&self, tail: &Tail<'_>, draw: &Draw<'_, State>) -> Result<Drawn, Error> {
+    fn blame(&self, joint: &JointRegion<'_>, draw: &Draw<'_, State>) -> Result<Drawn, Error> {
         let mut step = 0;
-        for (count, (.., own)) in (1..).zip(&tail.skills) {
+        for (count, (.., own)) in (1..).zip(&joint.skills) {
             step = *own;
-            if tail.are_apart(count)? {
+            if joint.are_apart(count)? {
                 break;
             }
         }

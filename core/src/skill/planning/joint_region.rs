@@ -15,13 +15,13 @@ const MAX_NUMBERS: usize = 4 * MAX_STATE_VALUES;
 
 /// The instances of regions that are to be intersected.
 #[derive(Default)]
-pub(super) struct Tail<'s> {
+pub(super) struct JointRegion<'s> {
     numbers: Vec<f64, MAX_NUMBERS>,
     /// Each with where its numbers end, and the step that it is about.
     pub(super) skills: Vec<(&'s Skill, usize, usize), MAX_PARTS>,
 }
 
-impl<'s> Tail<'s> {
+impl<'s> JointRegion<'s> {
     /// Adds a region in the instance that `fill` makes, unless it is there.
     pub(super) fn add(
         &mut self,

@@ -2,9 +2,9 @@
 
 mod oracle;
 mod selection;
-mod settings;
+mod situations;
 mod trainer;
 
 pub(super) use oracle::completed;
-pub use settings::{Candidate, MAX_CHAIN, Setting};
+pub use situations::{Candidate, MAX_CHAIN, Situation};
 pub use trainer::{Learned, Training, TrainingMemory};

@@ -1,4 +1,4 @@
-//! Trying a setting: the question that the learner of a skill asks.
+//! Trying a situation: the question that the learner of a skill asks.
 
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
@@ -6,7 +6,7 @@ use crate::learn::Answer;
 use crate::plan::{Draw, Drawn, Sampler, Skeleton};
 use crate::random::Generator;
 use crate::region::Theta;
-use crate::skill::{Describe, Informed, MAX_CHAIN, Setting, Skills};
+use crate::skill::{Describe, Informed, MAX_CHAIN, Situation, Skills};
 use crate::task::{GroundOperator, Parameters, State, try_operator};
 
 /// How often operators whose parameters are free are tried before they count as
@@ -42,7 +42,7 @@ impl GroundOperator {
 }
 
 impl Skills<'_> {
-    /// Tries a setting with parameters of its operator; those of the operators after it
+    /// Tries a situation with parameters of its operator; those of the operators after it
     /// are drawn from what is known, and so are its own if there are none. Returns also
     /// how many controllers were run.
     ///
@@ -52,24 +52,24 @@ impl Skills<'_> {
     pub fn attempt<E: Describe>(
         &mut self,
         environment: &E,
-        setting: &Setting,
+        situation: &Situation,
         theta: Option<&[f64]>,
         rng: &mut Generator,
     ) -> Result<(Answer, u32), Error> {
         let (mut answer, mut runs) = (Answer::FailedStep(1), 0);
-        let (mut after, mut tried) = (setting.state.clone(), Tried::Fails);
+        let (mut after, mut tried) = (situation.state.clone(), Tried::Fails);
         for attempt in 1..=TRIES {
             // Given parameters need no second run.
             if theta.is_none() || attempt == 1 {
-                after.clone_from(&setting.state);
-                tried = self.step(environment, setting, (0, &mut after), theta, attempt, rng)?;
+                after.clone_from(&situation.state);
+                tried = self.step(environment, situation, (0, &mut after), theta, attempt, rng)?;
                 runs += u32::from(tried != Tried::Impossible);
             }
             if tried != Tried::Works {
                 continue;
             }
             answer = Answer::FailedStep(2);
-            let (works, more, decided) = self.rest(environment, setting, &after, attempt, rng)?;
+            let (works, more, decided) = self.rest(environment, situation, &after, attempt, rng)?;
             runs += more;
             if works {
                 return Ok((Answer::Feasible, runs));
@@ -86,14 +86,21 @@ impl Skills<'_> {
     fn rest<E: Describe>(
         &mut self,
         environment: &E,
-        setting: &Setting,
+        situation: &Situation,
         state: &State,
         attempt: u32,
         rng: &mut Generator,
     ) -> Result<(bool, u32, bool), Error> {
         let (mut state, mut runs, mut decided) = (state.clone(), 0, true);
-        for (step, ground) in setting.steps.iter().enumerate().skip(1) {
-            match self.step(environment, setting, (step, &mut state), None, attempt, rng)? {
+        for (step, ground) in situation.steps.iter().enumerate().skip(1) {
+            match self.step(
+                environment,
+                situation,
+                (step, &mut state),
+                None,
+                attempt,
+                rng,
+            )? {
                 Tried::Works => {}
                 Tried::Fails => {
                     decided &= !is_sampled(environment, ground)?;
@@ -107,34 +114,34 @@ impl Skills<'_> {
         Ok((true, runs, true))
     }
 
-    /// Runs an operator of a setting and notes what it changes. If it works the state
+    /// Runs an operator of a situation and notes what it changes. If it works the state
     /// becomes the one afterwards.
     fn step<E: Describe>(
         &mut self,
         environment: &E,
-        setting: &Setting,
+        situation: &Situation,
         (step, state): (usize, &mut State),
         theta: Option<&[f64]>,
         attempt: u32,
         rng: &mut Generator,
     ) -> Result<Tried, Error> {
-        let Some(ground) = setting.steps.get(step) else {
+        let Some(ground) = situation.steps.get(step) else {
             return Ok(Tried::Impossible);
         };
         let parameters = match theta {
             Some(theta) => completed(environment, ground, state, theta, rng),
             None => {
                 let places: [u16; MAX_CHAIN] = core::array::from_fn(|place| place as u16);
-                let places = places.get(..setting.steps.len()).unwrap_or_default();
+                let places = places.get(..situation.steps.len()).unwrap_or_default();
                 let draw = Draw {
-                    skeleton: Skeleton::new(&setting.steps, places),
+                    skeleton: Skeleton::new(&situation.steps, places),
                     step,
                     operator: ground,
                     state,
                     attempt,
                     advised: true,
                 };
-                let mut informed = Informed::new(environment, self, &setting.state);
+                let mut informed = Informed::new(environment, self, &situation.state);
                 match informed.sample(&draw, rng)? {
                     Drawn::Parameters(drawn) | Drawn::Informed(drawn) => drawn,
                     Drawn::Empty(_) => return Ok(Tried::Impossible),

@@ -1,4 +1,4 @@
-//! Which settings a skill is tried in.
+//! Which situations a skill is tried in.
 
 use super::trainer::TrainingMemory;
 use crate::domain::{Node, PointSet, Scene};
@@ -17,7 +17,7 @@ const COMPLEXITY: usize = 2;
 /// these distances are summed. `swap` swaps what else belongs to two instances.
 ///
 /// A rare relation that stands out, such as an obstacle closer to the target than any
-/// other, is then among a dozen settings. At random it would hardly be, and what is never
+/// other, is then among a dozen situations. At random it would hardly be, and what is never
 /// tried is never learned. What lies within the usual range of every feature is not
 /// chosen more often than at random.
 pub(super) fn spread<'m>(

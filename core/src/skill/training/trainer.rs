@@ -1,14 +1,14 @@
 //! Learning the region of a skill.
 
 use super::selection::swap_rows;
-use super::settings::{Wanted, survey};
+use super::situations::{Wanted, survey};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::version_space::{Capacity, Config, Memory, VersionSpace};
 use crate::learn::{Answer, Learner, Problem, learn_region};
 use crate::random::{Generator, generator};
 use crate::region::{Region, Theta};
-use crate::skill::{Candidate, Describe, Setting, Skill, Skills};
+use crate::skill::{Candidate, Describe, Situation, Skill, Skills};
 use crate::task::{GroundOperator, State, Task};
 use heapless::VecView;
 
@@ -49,8 +49,8 @@ const NO_SKILL: Error = Error::InvalidArgument("there is no skill with this inde
 #[derive(Debug)]
 pub struct TrainingMemory<'m> {
     /// One for each instance.
-    pub settings: &'m mut [Option<Setting>],
-    /// Settings to choose from; the more there are, the more those that are chosen
+    pub situations: &'m mut [Option<Situation>],
+    /// Situations to choose from; the more there are, the more those that are chosen
     /// differ.
     pub candidates: &'m mut [Candidate],
     /// One for each candidate.
@@ -81,13 +81,13 @@ pub struct Learned {
 }
 
 impl Skills<'_> {
-    /// Collects settings of the skill at an index from tasks, in their order, into
-    /// `memory.settings`, up to so many: to judge what was learned. Returns how many
+    /// Collects situations of the skill at an index from tasks, in their order, into
+    /// `memory.situations`, up to so many: to judge what was learned. Returns how many
     /// there are.
     ///
     /// # Errors
     /// Those of [`Skills::learn`].
-    pub fn settings<E: Describe>(
+    pub fn situations<E: Describe>(
         &self,
         index: usize,
         environment: &E,
@@ -98,7 +98,7 @@ impl Skills<'_> {
         let skill = self.get(index).ok_or(NO_SKILL)?;
         let wanted = Wanted {
             tasks: tasks.len(),
-            settings: wanted,
+            situations: wanted,
             differing: false,
             direct: false,
         };
@@ -126,13 +126,13 @@ impl Skills<'_> {
         let skill = self.get(index).ok_or(NO_SKILL)?;
         let (later, domain) = (skill.description.later, skill.domain.clone());
         let sampled = !domain.parameters().is_empty();
-        let settings = match sampled {
+        let situations = match sampled {
             true => training.instances,
             false => training.states,
         };
         let wanted = Wanted {
             tasks: training.tasks,
-            settings: settings.min(memory.capacity.instances),
+            situations: situations.min(memory.capacity.instances),
             differing: sampled,
             // What comes before only matters to what is learned of a controller alone.
             direct: !sampled || later.is_some(),
@@ -141,8 +141,8 @@ impl Skills<'_> {
             self.collect(skill, environment, tasks, wanted, &mut memory)?;
         let mut rng = generator(training.learner.seed ^ index as u64);
         if !sampled {
-            let settings = memory.settings.get_mut(..count).unwrap_or_default();
-            let (kept, runs) = self.try_once(environment, settings, later.is_some(), &mut rng)?;
+            let situations = memory.situations.get_mut(..count).unwrap_or_default();
+            let (kept, runs) = self.try_once(environment, situations, later.is_some(), &mut rng)?;
             (count, calls) = (kept, calls + runs);
         }
         let mut learned = Learned {
@@ -157,7 +157,7 @@ impl Skills<'_> {
         let skill = self.get(index).ok_or(NO_SKILL)?;
         survey(skill, environment, count, &mut memory)?;
         let numbers = count * skill.binding.len();
-        let settings = memory.settings.get(..count).unwrap_or_default();
+        let situations = memory.situations.get(..count).unwrap_or_default();
         let proposals = memory.proposals.get(..count).unwrap_or_default();
         let instances = memory.instances.get(..numbers).unwrap_or_default();
         let problem = Problem::new(&domain, instances, count)?.with_proposals(proposals)?;
@@ -179,13 +179,13 @@ impl Skills<'_> {
         };
         let mut learner = VersionSpace::new(&domain, config, capacity, memory.learner)?;
         let outcome = learn_region(&mut learner, &problem, |_, query| {
-            let setting = settings.get(query.instance).and_then(Option::as_ref);
-            let setting = setting.ok_or(Error::InvalidArgument("no such instance"))?;
-            if let Some(answer) = setting.answer {
+            let situation = situations.get(query.instance).and_then(Option::as_ref);
+            let situation = situation.ok_or(Error::InvalidArgument("no such instance"))?;
+            if let Some(answer) = situation.answer {
                 return Ok(answer);
             }
             let theta = query.theta.get(..domain.parameters().len());
-            let (answer, runs) = self.attempt(environment, setting, theta, &mut rng)?;
+            let (answer, runs) = self.attempt(environment, situation, theta, &mut rng)?;
             learned.calls += runs;
             Ok::<_, Error>(answer)
         });
@@ -206,27 +206,27 @@ impl Skills<'_> {
         self.iter().filter(same).count() == 1
     }
 
-    /// Tries settings without parameters, and leaves out those of two controllers of
+    /// Tries situations without parameters, and leaves out those of two controllers of
     /// which already the first one fails: they say nothing. Returns how many are left and
     /// how many controllers were run.
     fn try_once<E: Describe>(
         &mut self,
         environment: &E,
-        settings: &mut [Option<Setting>],
+        situations: &mut [Option<Situation>],
         chained: bool,
         rng: &mut Generator,
     ) -> Result<(usize, u32), Error> {
         let (mut kept, mut calls) = (0, 0);
-        for index in 0..settings.len() {
-            let Some(Some(setting)) = settings.get_mut(index) else {
+        for index in 0..situations.len() {
+            let Some(Some(situation)) = situations.get_mut(index) else {
                 break;
             };
-            let (answer, runs) = self.attempt(environment, setting, None, rng)?;
-            setting.answer = Some(answer);
+            let (answer, runs) = self.attempt(environment, situation, None, rng)?;
+            situation.answer = Some(answer);
             calls += runs;
             if !(chained && answer == Answer::FailedStep(1)) {
                 if kept < index {
-                    swap_rows(settings, 1, kept, index);
+                    swap_rows(situations, 1, kept, index);
                 }
                 kept += 1;
             }
@@ -236,18 +236,18 @@ impl Skills<'_> {
 }
 
 impl Skill {
-    /// Writes the instance of a setting to `out`, which has a place for each number.
+    /// Writes the instance of a situation to `out`, which has a place for each number.
     ///
     /// # Errors
-    /// [`Error::Mismatch`] if the setting is not one of this skill.
+    /// [`Error::Mismatch`] if the situation is not one of this skill.
     pub fn instance<E: Describe>(
         &self,
         environment: &E,
-        setting: &Setting,
+        situation: &Situation,
         out: &mut [f64],
     ) -> Result<(), Error> {
-        setting.with_scope(environment, self.description.among, |scope| {
-            self.binding.instance(scope, out)
+        situation.with_context(environment, self.description.among, |context| {
+            self.binding.instance(context, out)
         })
     }
 }

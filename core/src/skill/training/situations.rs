@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::learn::Answer;
 use crate::plan::{AbstractTask, Conclusion, Config, Planner, Simulated};
 use crate::random::generator;
-use crate::skill::{Describe, Informed, Scope, Skill, Skills};
+use crate::skill::{Context, Describe, Informed, Skill, Skills};
 use crate::task::{
     Arguments, AtomSet, Atoms, ControllerId, GroundOperator, ObjectId, PredicateId, State, Task,
     ground_operators,
@@ -15,12 +15,12 @@ use heapless::Vec;
 
 /// Most operators that are tried in a row: two, and what they need in between.
 pub const MAX_CHAIN: usize = 4;
-/// How often settings are looked for in the same tasks.
+/// How often situations are looked for in the same tasks.
 const ROUNDS: u64 = 4;
 
 /// A state, and the operators to try from it, one after the other.
 #[derive(Clone, Debug)]
-pub struct Setting {
+pub struct Situation {
     /// The state.
     pub state: State,
     /// The operator, and then those up to the later one, if there is one.
@@ -29,13 +29,13 @@ pub struct Setting {
     pub(super) answer: Option<Answer>,
 }
 
-impl Setting {
+impl Situation {
     /// Calls `body` with who fills the roles of a skill.
-    pub(super) fn with_scope<E: Describe, T>(
+    pub(super) fn with_context<E: Describe, T>(
         &self,
         environment: &E,
         among: &[PredicateId],
-        body: impl FnOnce(&Scope<'_, E>) -> Result<T, Error>,
+        body: impl FnOnce(&Context<'_, E>) -> Result<T, Error>,
     ) -> Result<T, Error> {
         let arguments = |ground: Option<&GroundOperator>| match ground {
             Some(ground) => controller_objects(environment, ground),
@@ -43,7 +43,7 @@ impl Setting {
         };
         let own = arguments(self.steps.first())?;
         let later = arguments(self.steps.get(1..).and_then(<[_]>::last))?;
-        body(&Scope {
+        body(&Context {
             environment,
             state: &self.state,
             own: own.as_slice(),
@@ -53,7 +53,7 @@ impl Setting {
     }
 }
 
-/// Objects of a task for the controllers of a skill: a setting that could be made.
+/// Objects of a task for the controllers of a skill: a situation that could be made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Candidate {
     pub(super) task: u16,
@@ -70,17 +70,17 @@ struct Grounded<'t, 'o, E> {
     initial: &'t State,
     atoms: Atoms,
     operators: &'o [GroundOperator],
-    /// Of the parameters on the way to an operator: other ones in each setting.
+    /// Of the parameters on the way to an operator: other ones in each situation.
     seed: u64,
 }
 
-/// Which settings are wanted.
+/// Which situations are wanted.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wanted {
     /// From so many tasks at most.
     pub(super) tasks: usize,
     /// So many at most.
-    pub(super) settings: usize,
+    pub(super) situations: usize,
     /// Such that they differ; otherwise in the order of the tasks.
     pub(super) differing: bool,
     /// Only such as take no way, if there are enough.
@@ -88,12 +88,12 @@ pub(super) struct Wanted {
 }
 
 impl Skills<'_> {
-    /// Collects settings of a skill. Returns how many there are, from how many tasks, and
+    /// Collects situations of a skill. Returns how many there are, from how many tasks, and
     /// how many controllers were run to get there.
     ///
     /// Where an operator is not applicable in the initial state it is planned for, with
     /// the skills learned so far (the thesis's single-operator task plans); and if there
-    /// are not enough settings yet, again with other parameters on the way.
+    /// are not enough situations yet, again with other parameters on the way.
     pub(super) fn collect<E: Describe>(
         &self,
         skill: &Skill,
@@ -102,7 +102,7 @@ impl Skills<'_> {
         wanted: Wanted,
         memory: &mut TrainingMemory<'_>,
     ) -> Result<(usize, usize, u32), Error> {
-        let room = wanted.settings.min(memory.settings.len());
+        let room = wanted.situations.min(memory.situations.len());
         let mut candidates = enumerate(environment, skill, tasks, wanted.direct, memory)?;
         if candidates < room && wanted.direct {
             candidates = enumerate(environment, skill, tasks, false, memory)?;
@@ -126,12 +126,14 @@ impl Skills<'_> {
                 let seed = (round << 16 | index as u64) << 32;
                 let grounded =
                     Grounded::new(environment, self, task, memory.operators, &candidate, seed)?;
-                let (setting, runs) = grounded.realise(skill, &candidate, planner)?;
+                let (situation, runs) = grounded.realise(skill, &candidate, planner)?;
                 calls += runs;
                 // What takes no way would be the same again.
-                let setting = setting.filter(|_| round == 0 || runs > 0);
-                if let (Some(setting), Some(place)) = (setting, memory.settings.get_mut(count)) {
-                    *place = Some(setting);
+                let situation = situation.filter(|_| round == 0 || runs > 0);
+                if let (Some(situation), Some(place)) =
+                    (situation, memory.situations.get_mut(count))
+                {
+                    *place = Some(situation);
                     count += 1;
                 }
             }
@@ -171,7 +173,7 @@ fn distinct_tasks(candidates: &[Candidate]) -> usize {
     first.count()
 }
 
-/// Writes the instances of so many settings, and parameters of the original sampler.
+/// Writes the instances of so many situations, and parameters of the original sampler.
 pub(super) fn survey<E: Describe>(
     skill: &Skill,
     environment: &E,
@@ -180,15 +182,15 @@ pub(super) fn survey<E: Describe>(
 ) -> Result<(), Error> {
     const FULL: Error = Error::CapacityExceeded("numbers of training instances");
     let length = skill.binding.len();
-    let settings = memory.settings.iter().flatten().take(count);
-    for (index, (setting, proposal)) in settings.zip(memory.proposals.iter_mut()).enumerate() {
+    let situations = memory.situations.iter().flatten().take(count);
+    for (index, (situation, proposal)) in situations.zip(memory.proposals.iter_mut()).enumerate() {
         let numbers = memory
             .instances
             .get_mut(index * length..(index + 1) * length);
-        skill.instance(environment, setting, numbers.ok_or(FULL)?)?;
-        if let Some(own) = setting.steps.first() {
+        skill.instance(environment, situation, numbers.ok_or(FULL)?)?;
+        if let Some(own) = situation.steps.first() {
             let mut rng = generator(index as u64);
-            *proposal = own.propose(environment, &setting.state, &mut rng);
+            *proposal = own.propose(environment, &situation.state, &mut rng);
         }
     }
     Ok(())
@@ -238,8 +240,8 @@ fn enumerate<E: Describe>(
                 ) else {
                     return Ok(count);
                 };
-                let scope = candidate.scope(environment, skill, &task.initial);
-                if skill.binding.instance(&scope, room).is_err() {
+                let context = candidate.context(environment, skill, &task.initial);
+                if skill.binding.instance(&context, room).is_err() {
                     continue;
                 }
                 let mut rng = generator(count as u64);
@@ -281,13 +283,13 @@ impl Candidate {
     }
 
     /// Who fills the roles of a skill in a state.
-    pub(super) fn scope<'s, E>(
+    pub(super) fn context<'s, E>(
         &'s self,
         environment: &'s E,
         skill: &Skill,
         state: &'s State,
-    ) -> Scope<'s, E> {
-        Scope {
+    ) -> Context<'s, E> {
+        Context {
             environment,
             state,
             own: self.own.as_slice(),
@@ -323,14 +325,14 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
         })
     }
 
-    /// The setting of a candidate, if there is a way to it, and how many controllers
+    /// The situation of a candidate, if there is a way to it, and how many controllers
     /// were run to find it.
     fn realise(
         &self,
         skill: &Skill,
         candidate: &Candidate,
         planner: crate::plan::Memory<'_, State>,
-    ) -> Result<(Option<Setting>, u32), Error> {
+    ) -> Result<(Option<Situation>, u32), Error> {
         let own = || self.of(skill.description.own, &candidate.own);
         let (state, calls) = self.reach(own, planner)?;
         let Some(state) = state else {
@@ -344,7 +346,7 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
         });
         let steps = chains.min_by_key(|steps| steps.len());
         Ok((
-            steps.map(|steps| Setting {
+            steps.map(|steps| Situation {
                 state,
                 steps,
                 answer: None,
