@@ -6,7 +6,7 @@ use critreg::plan::{
     Conclusion, Config, Guide, Metrics, Planner, Sampler, Search, Simulated, Unguided,
 };
 use critreg::random::generator;
-use critreg::skill::{Informed, Training};
+use critreg::skill::{RegionGuide, RegionSampler, Training};
 use critreg::task::Task;
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::ideal::Ideal;
@@ -118,8 +118,11 @@ fn planning(c: &mut Criterion) {
         });
         let name = format!("50 tasks, {buttons:?} buttons, learned regions");
         bench(c, (&name, &tasks), |task| {
-            let informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
-            (informed, informed)
+            let sampler = RegionSampler::new(&ENVIRONMENT, &skills);
+            (
+                sampler,
+                RegionGuide::new(&ENVIRONMENT, &skills, &task.initial),
+            )
         });
     }
 }

@@ -71,8 +71,8 @@ pub fn context(state: &State) -> Context<'_, StickButton> {
     Context {
         environment: &ENVIRONMENT,
         state,
-        own: &[ROBOT, STICK],
-        later: &[],
-        among: &[],
+        objects: &[ROBOT, STICK],
+        later_objects: &[],
+        members: &[],
     }
 }

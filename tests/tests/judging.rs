@@ -7,7 +7,7 @@ use critreg::learn::version_space::Config as LearnerConfig;
 use critreg::plan::{Advice, Guide, Skeleton};
 use critreg::random::generator;
 use critreg::region::Region;
-use critreg::skill::{Describe, Informed, Skills, Training};
+use critreg::skill::{Describe, RegionGuide, Skills, Training};
 use critreg::task::{AtomSet, Environment, GroundOperator, ObjectId, State, Task, try_operator};
 use critreg_tests::golden::{CLUTTERED_TABLE, CLUTTERED_TABLE_PLACE, COVER, Recording};
 use critreg_tests::plan::Grounding;
@@ -21,7 +21,7 @@ fn observe<E: Describe>(environment: &E, skills: &mut Skills<'_>, tasks: &[Task]
         chained: 20,
         budget: 0,
         tasks: 10,
-        instances: 4,
+        situations: 4,
         states,
         learner: LearnerConfig {
             calls: 20,
@@ -84,11 +84,10 @@ fn sequences<E: Environment>(grounding: &Grounding<'_, E>, most: usize) -> Vec<V
 }
 
 fn is_kept<E: Describe>(
-    informed: &Informed<'_, E>,
+    guide: &mut RegionGuide<'_, E>,
     operators: &[GroundOperator],
     places: &[u16],
 ) -> bool {
-    let mut guide = *informed;
     guide.judge(Skeleton::new(operators, places)) == Advice::Keep
 }
 
@@ -154,9 +153,9 @@ fn judge_grasps(
         .take(40)
     {
         let grounding = Grounding::new(&ClutteredTable, task).unwrap();
-        let informed = Informed::new(&ClutteredTable, skills, &task.initial);
+        let mut guide = RegionGuide::new(&ClutteredTable, skills, &task.initial);
         for places in sequences(&grounding, 3) {
-            let kept = is_kept(&informed, &grounding.operators, &places);
+            let kept = is_kept(&mut guide, &grounding.operators, &places);
             let Some((can, others)) = last_grasp(task, &grounding.operators, &places) else {
                 assert!(kept, "nothing is known of dumping");
                 continue;
@@ -231,9 +230,9 @@ fn what_is_placed_anywhere_is_not_expected_anywhere() {
     let mut counts = [0; 4];
     for task in &tasks[..10] {
         let grounding = Grounding::new(&ClutteredTablePlace, task).unwrap();
-        let informed = Informed::new(&ClutteredTablePlace, &skills, &task.initial);
+        let mut guide = RegionGuide::new(&ClutteredTablePlace, &skills, &task.initial);
         for places in sequences(&grounding, 3) {
-            let kept = is_kept(&informed, &grounding.operators, &places);
+            let kept = is_kept(&mut guide, &grounding.operators, &places);
             assert_eq!(kept, places.len() > 1, "{places:?}");
             counts[places.len()] += 1;
         }
@@ -279,8 +278,8 @@ fn judged(task: &Task, skills: &Skills<'_>, steps: &[&[ObjectId]]) -> bool {
             .unwrap() as u16
     };
     let places: Vec<u16> = steps.iter().map(place).collect();
-    let informed = Informed::new(&Cover, skills, &task.initial);
-    is_kept(&informed, &grounding.operators, &places)
+    let mut guide = RegionGuide::new(&Cover, skills, &task.initial);
+    is_kept(&mut guide, &grounding.operators, &places)
 }
 
 /// Whether operators work one after the other, with parameters that `choose` makes.
@@ -322,10 +321,10 @@ fn a_place_counts_until_its_block_is_picked_again() {
     for task in &tasks[..20] {
         let grounding = Grounding::new(&Cover, task).unwrap();
         let operators = &grounding.operators[..];
-        let informed = Informed::new(&Cover, &skills, &task.initial);
+        let mut guide = RegionGuide::new(&Cover, &skills, &task.initial);
         for places in sequences(&grounding, 6) {
             let mut prefixes = (1..=places.len()).map(|length| &places[..length]);
-            let kept = prefixes.all(|prefix| is_kept(&informed, operators, prefix));
+            let kept = prefixes.all(|prefix| is_kept(&mut guide, operators, prefix));
             assert_eq!(kept, works(task, operators, &places, centred), "{places:?}");
             counts[usize::from(kept)] += 1;
             for _ in 0..20 {

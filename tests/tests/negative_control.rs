@@ -55,7 +55,7 @@ fn there_is_no_region_where_only_chance_decides() {
             let learned = learned[0];
             // It was asked as often as where there is something to learn.
             assert_eq!(
-                (learned.tasks, learned.calls),
+                (learned.tasks, learned.runs),
                 (training.tasks, training.learner.calls.max(training.budget))
             );
             let region = skills.get(0).unwrap().region();

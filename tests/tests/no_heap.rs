@@ -7,7 +7,7 @@ use critreg::learn::version_space::{Capacity, Config, VersionSpace};
 use critreg::learn::{Problem, learn_region};
 use critreg::plan::{Conclusion, Planner};
 use critreg::random::generator;
-use critreg::skill::{Describe, Informed, Training};
+use critreg::skill::{Describe, RegionGuide, RegionSampler, Trainer, Training};
 use critreg::text::TextBuffer;
 use critreg_tests::pick::{ENVIRONMENT, instances};
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, tasks};
@@ -99,15 +99,15 @@ fn learning_skills_and_planning_with_them() {
     let task = tasks(2, 2..=2, 1).remove(0);
     let (calls, conclusion) = calls(|| -> Result<Conclusion, critreg::Error> {
         let mut skills = skill_room.lend(&ENVIRONMENT);
+        let mut trainer = Trainer::new(&ENVIRONMENT, training, room.lend());
         for index in 0..ENVIRONMENT.descriptions().len() {
-            skills.learn(index, &ENVIRONMENT, &training_tasks, &training, room.lend())?;
+            trainer.learn(&mut skills, index, &training_tasks)?;
         }
         let grounding = Grounding::new(&ENVIRONMENT, &task)?;
-        let mut informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
         let mut planner = Planner {
             world: &mut grounding.simulated(),
-            sampler: &mut informed.clone(),
-            guide: &mut informed,
+            sampler: &mut RegionSampler::new(&ENVIRONMENT, &skills),
+            guide: &mut RegionGuide::new(&ENVIRONMENT, &skills, &task.initial),
             config: critreg::plan::Config::default(),
         };
         let (lots, samples) = (generator(1), || generator(1));

@@ -45,9 +45,9 @@ fn context<'s>(state: &'s State, own: &'s [ObjectId], later: &'s [ObjectId]) -> 
     Context {
         environment: &Still,
         state,
-        own,
-        later,
-        among: &[],
+        objects: own,
+        later_objects: later,
+        members: &[],
     }
 }
 
@@ -238,7 +238,7 @@ fn predicates_narrow_groups() {
     let state = blocks(4, 0);
     let among = [PredicateId(0)];
     let context = Context {
-        among: &among,
+        members: &among,
         ..context(&state, &[ObjectId(2)], &[])
     };
     let mut numbers = [0.0; 8];

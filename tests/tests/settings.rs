@@ -9,7 +9,8 @@ use critreg::plan::{Draw, Drawn, Sampler, Skeleton};
 use critreg::random::{generator, uniform_in};
 use critreg::region::Region;
 use critreg::skill::{
-    Changes, Describe, Description, Informed, Situation, Skill, Skills, Training,
+    Changes, Describe, Description, Oracle, RegionSampler, Situation, Skill, Skills, Trainer,
+    Training,
 };
 use critreg::task::{
     Controller, ControllerId, Environment, Failure, GroundOperator, Naming, ObjectId, ObjectType,
@@ -23,7 +24,7 @@ const TRAINING: Training = Training {
     chained: 20,
     budget: 0,
     tasks: 12,
-    instances: 12,
+    situations: 12,
     states: 100,
     learner: LearnerConfig {
         seed: 0,
@@ -41,9 +42,9 @@ fn situations<E: Describe>(environment: &E, index: usize, tasks: &[Task]) -> Vec
     let mut skill_room = SkillRoom::new(environment);
     let mut skills = skill_room.lend(environment);
     let mut room = TrainingRoom::new(&TRAINING);
-    let memory = room.lend();
-    let learned = skills.learn(index, environment, tasks, &TRAINING, memory);
-    let count = learned.unwrap().instances;
+    let mut trainer = Trainer::new(environment, TRAINING, room.lend());
+    let learned = trainer.learn(&mut skills, index, tasks);
+    let count = learned.unwrap().situations;
     let all = room.lend().situations[..count].iter();
     all.map(|situation| situation.clone().unwrap()).collect()
 }
@@ -212,8 +213,8 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
                 attempt: 1,
                 advised: true,
             };
-            let mut informed = Informed::new(&ClutteredTable, &skills, &task.initial);
-            let Drawn::Informed(drawn) = informed.sample(&draw, &mut rng).unwrap() else {
+            let mut sampler = RegionSampler::new(&ClutteredTable, &skills);
+            let Drawn::Informed(drawn) = sampler.sample(&draw, &mut rng).unwrap() else {
                 panic!("the region is not empty");
             };
             let can = cans(&task.initial).unwrap()[usize::from(ground.objects.as_slice()[0].0)];
@@ -230,6 +231,7 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
 fn a_situation_is_tried_with_parameters_that_are_completed() {
     let mut skill_room = SkillRoom::new(&ClutteredTable);
     let mut skills = skill_room.lend(&ClutteredTable);
+    let mut oracle = Oracle::new(&ClutteredTable, &mut skills);
     let (mut rng, mut counts) = (generator(1), [0; 2]);
     for situation in situations(&ClutteredTable, 0, &cluttered_tasks(5)) {
         let ground = &situation.steps[0];
@@ -240,9 +242,10 @@ fn a_situation_is_tried_with_parameters_that_are_completed() {
             let start = [0, 1].map(|_| f64::from(uniform_in(&mut rng, 0.0, 1.0) as f32));
             let all = [start[0], start[1], can[0], can[1]].map(|number| number as f32);
             let works = try_operator(&ClutteredTable, operator, objects, &all, &situation.state);
-            let tried = skills.attempt(&ClutteredTable, &situation, Some(&start), &mut rng);
-            let expected = Answer::from_feasible(works.is_feasible());
-            assert_eq!(tried.unwrap(), (expected, 1));
+            let runs = oracle.runs();
+            let answer = oracle.answer(&situation, Some(&start), &mut rng);
+            assert_eq!(answer, Ok(Answer::from_feasible(works.is_feasible())));
+            assert_eq!(oracle.runs() - runs, 1);
             counts[usize::from(works.is_feasible())] += 1;
         }
     }
@@ -297,11 +300,11 @@ impl Describe for Described {
 }
 
 const fn about(controllers: [u8; 2], text: &'static str) -> Description {
-    let [own, later] = controllers;
+    let [controller, later] = controllers;
     Description {
-        own: ControllerId(own),
+        controller: ControllerId(controller),
         later: Some(ControllerId(later)),
-        among: &[],
+        members: &[],
         text,
     }
 }

@@ -10,7 +10,7 @@ use critreg::learn::version_space::Config as LearnerConfig;
 use critreg::plan::{Conclusion, Config, Metrics, Planner};
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
-use critreg::skill::{Context, Informed, Skill, Skills, Training};
+use critreg::skill::{Context, RegionGuide, RegionSampler, Skill, Skills, Training};
 use critreg::task::{
     Environment, ObjectId, OperatorId, Outcome, PredicateId, State, Task, Verdict, try_operator,
 };
@@ -359,9 +359,9 @@ fn says(skill: &Skill, state: &State, own: &[ObjectId], theta: [f32; 2]) -> bool
     let context = Context {
         environment: &Shelf,
         state,
-        own,
-        later: &[ROBOT, BOX, SHELF],
-        among: &[],
+        objects: own,
+        later_objects: &[ROBOT, BOX, SHELF],
+        members: &[],
     };
     let mut instance = vec![0.0; skill.binding().len()];
     skill.binding().instance(&context, &mut instance).unwrap();
@@ -416,11 +416,10 @@ fn planned<'m>(
     grounding: &'m Grounding<'m, Shelf>,
     room: &'m mut Room,
 ) -> (Conclusion, Metrics<'m>) {
-    let informed = Informed::new(&Shelf, skills, &task.initial);
     let mut planner = Planner {
         world: &mut grounding.simulated(),
-        sampler: &mut { informed },
-        guide: &mut { informed },
+        sampler: &mut RegionSampler::new(&Shelf, skills),
+        guide: &mut RegionGuide::new(&Shelf, skills, &task.initial),
         config: Config::default(),
     };
     let numbers = || generator(7);
@@ -454,11 +453,11 @@ fn the_descriptions_can_say_the_feasible_sets_and_then_every_sample_works() {
 }
 
 /// Learns all skills from so many tasks.
-fn learned<'m>(room: &'m mut SkillRoom, seed: u64, instances: usize) -> Skills<'m> {
+fn learned<'m>(room: &'m mut SkillRoom, seed: u64, count: usize) -> Skills<'m> {
     let training = Training {
-        tasks: instances,
-        instances,
-        states: instances,
+        tasks: count,
+        situations: count,
+        states: count,
         chained: 100,
         budget: 0,
         learner: LearnerConfig {
@@ -471,7 +470,7 @@ fn learned<'m>(room: &'m mut SkillRoom, seed: u64, instances: usize) -> Skills<'
     let (tasks, mut room) = (tasks(seed + 1000, 60), TrainingRoom::new(&training));
     let learned = learn_from(&Shelf, &mut skills, &tasks, seed, &training, &mut room);
     for learned in learned.unwrap() {
-        let within = learned.instances <= instances && learned.calls <= 250;
+        let within = learned.situations <= count && learned.runs <= 250;
         assert!(learned.region && within, "{learned:?}");
     }
     skills

@@ -10,7 +10,7 @@ use critreg::plan::{
 };
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
-use critreg::skill::{Describe, Informed, Skills, Training};
+use critreg::skill::{Describe, RegionGuide, RegionSampler, Skills, Training};
 use critreg::task::{Environment, GroundOperator, ObjectId, State, Task, try_operator};
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, learn, tasks};
@@ -40,7 +40,7 @@ fn observe(skills: &mut Skills<'_>) {
         chained: 20,
         budget: 0,
         tasks: 10,
-        instances: 4,
+        situations: 4,
         states: 10,
         learner: critreg::learn::version_space::Config {
             calls: 20,
@@ -69,6 +69,15 @@ fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide>(
     planned.unwrap()
 }
 
+/// The region sampler and the region guide of these skills, for a task.
+fn guided<'a>(
+    skills: &'a Skills<'_>,
+    task: &'a Task,
+) -> (RegionSampler<'a, StickButton>, RegionGuide<'a, StickButton>) {
+    let guide = RegionGuide::new(&ENVIRONMENT, skills, &task.initial);
+    (RegionSampler::new(&ENVIRONMENT, skills), guide)
+}
+
 const NODES: usize = 10_000;
 
 // Learning
@@ -86,8 +95,7 @@ fn learned_skills_need_about_a_sample_per_step() {
         let (mut samples, mut length) = (0, 0);
         for task in tasks(77, 3..=4, 50) {
             let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
-            let informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
-            let planned = plan(&task, &grounding, (informed, informed), &mut room);
+            let planned = plan(&task, &grounding, guided(&skills, &task), &mut room);
             assert_eq!(planned.conclusion, Conclusion::Solved);
             samples += planned.metrics.samples;
             length += planned.metrics.plan_length;
@@ -168,7 +176,6 @@ fn a_skill_that_nothing_is_known_of_is_the_original_sampler() {
     let mut room = Room::new(NODES);
     for task in tasks(5, 1..=2, 30) {
         let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
-        let informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
         let outcome = |planned: Planned<'_, State>| {
             let (metrics, steps) = (planned.metrics, planned.steps.iter());
             let steps: Vec<_> = steps.map(|s| (s.operator, s.parameters.clone())).collect();
@@ -179,7 +186,7 @@ fn a_skill_that_nothing_is_known_of_is_the_original_sampler() {
                 steps,
             )
         };
-        let ours = outcome(plan(&task, &grounding, (informed, informed), &mut room));
+        let ours = outcome(plan(&task, &grounding, guided(&skills, &task), &mut room));
         let original = (grounding.simulated(), Unguided);
         assert_eq!(ours, outcome(plan(&task, &grounding, original, &mut room)));
     }
@@ -229,15 +236,16 @@ fn may_work(state: &State, operators: &[&GroundOperator]) -> bool {
 
 /// Compares each advice with the closed form.
 struct Checked<'a> {
-    informed: Informed<'a, StickButton>,
+    guide: RegionGuide<'a, StickButton>,
+    initial: &'a State,
     counts: [u32; 2],
 }
 
 impl Guide for Checked<'_> {
     fn judge(&mut self, prefix: Skeleton<'_>) -> Advice {
-        let advice = self.informed.judge(prefix);
+        let advice = self.guide.judge(prefix);
         let operators: Vec<_> = prefix.iter().collect();
-        let expected = may_work(self.informed.initial, &operators);
+        let expected = may_work(self.initial, &operators);
         assert_eq!(advice == Advice::Keep, expected, "{prefix:?}");
         self.counts[usize::from(expected)] += 1;
         advice
@@ -263,7 +271,8 @@ fn the_guide_keeps_what_may_work_and_nothing_else() {
             ..Config::default()
         };
         let mut guide = Checked {
-            informed: Informed::new(&ENVIRONMENT, &skills, &task.initial),
+            guide: RegionGuide::new(&ENVIRONMENT, &skills, &task.initial),
+            initial: &task.initial,
             counts: [0; 2],
         };
         let abstracted = grounding.task();
@@ -327,9 +336,9 @@ proptest! {
             found.unwrap() as u16
         }).collect();
         let judge = |task: &Task, grounding: &Grounding<'_, StickButton>, places: &[u16]| {
-            let mut informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
+            let (mut sampler, mut guide) = guided(&skills, task);
             let skeleton = Skeleton::new(&grounding.operators, places);
-            let kept = informed.judge(skeleton) == Advice::Keep;
+            let kept = guide.judge(skeleton) == Advice::Keep;
             let draw = Draw {
                 skeleton,
                 step: 0,
@@ -338,7 +347,7 @@ proptest! {
                 attempt: 1,
                 advised: true,
             };
-            let drawn = informed.sample(&draw, &mut generator(seed)).unwrap();
+            let drawn = sampler.sample(&draw, &mut generator(seed)).unwrap();
             let parameters = match drawn {
                 Drawn::Parameters(p) | Drawn::Informed(p) => Some(p),
                 Drawn::Empty(_) => None,
@@ -382,8 +391,7 @@ fn wrong_regions_cost_no_plan() {
             let grounding = Grounding::new(&ENVIRONMENT, &run.task).unwrap();
             let original = (grounding.simulated(), Unguided);
             let original = end(&plan(&run.task, &grounding, original, &mut room));
-            let informed = Informed::new(&ENVIRONMENT, &skills, &run.task.initial);
-            let planned = plan(&run.task, &grounding, (informed, informed), &mut room);
+            let planned = plan(&run.task, &grounding, guided(&skills, &run.task), &mut room);
             if planned.metrics.advised.is_some() {
                 anew += 1;
                 assert_eq!(end(&planned), original, "{}", run.name);
@@ -406,10 +414,8 @@ fn draws_from_everything_reach_what_a_region_leaves_out() {
     let is_pick = |o: &GroundOperator| o.objects.as_slice() == [ROBOT, STICK];
     let place = grounding.operators.iter().position(is_pick).unwrap() as u16;
     let outside = |everywhere: f64| {
-        let mut informed = Informed {
-            everywhere,
-            ..Informed::new(&ENVIRONMENT, &skills, &task.initial)
-        };
+        let mut sampler = RegionSampler::new(&ENVIRONMENT, &skills);
+        sampler.everywhere = everywhere;
         let places = [place];
         let skeleton = Skeleton::new(&grounding.operators, &places);
         let mut rng: Generator = generator(1);
@@ -422,7 +428,7 @@ fn draws_from_everything_reach_what_a_region_leaves_out() {
                 attempt: 1,
                 advised: true,
             };
-            match informed.sample(&draw, &mut rng).unwrap() {
+            match sampler.sample(&draw, &mut rng).unwrap() {
                 Drawn::Parameters(p) | Drawn::Informed(p) => p[0] > 0.25,
                 Drawn::Empty(_) => panic!("the region is not empty"),
             }
@@ -453,15 +459,13 @@ fn why_there_is_no_plan() {
     know(&mut skills, &TRUE_REGIONS);
     let task = with_button_at(5.97);
     let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
-    let informed = Informed {
-        prune: true,
-        ..Informed::new(&ENVIRONMENT, &skills, &task.initial)
-    };
+    let (mut sampler, mut guide) = guided(&skills, &task);
+    guide.prune = true;
     let mut room = Room::new(NODES);
     let mut planner = Planner {
         world: &mut grounding.simulated(),
-        sampler: &mut { informed },
-        guide: &mut { informed },
+        sampler: &mut sampler,
+        guide: &mut guide,
         config: Config {
             max_length: 2,
             ..Config::default()
@@ -479,7 +483,7 @@ fn why_there_is_no_plan() {
     assert_ne!(planned.conclusion, Conclusion::Solved);
     let explain = |reason| {
         let mut text = String::new();
-        informed
+        guide
             .explain(&grounding.operators, reason, &mut text)
             .unwrap();
         text

@@ -1,8 +1,9 @@
-//! Who fills roles: a state, and the objects of one or two controllers.
+//! What roles are filled from: a state, and the objects of one or two controllers.
 
-use crate::task::{Environment, ObjectId, PredicateId, State, TypeId};
+use crate::task::{Environment, ObjectId, Predicate, PredicateId, State, TypeId};
 
-/// What the roles of a domain text are filled from; see [`RoleBinding`](super::RoleBinding).
+/// What the roles of a domain text are filled from; see
+/// [`RoleBinding`](super::RoleBinding).
 #[derive(Debug)]
 pub struct Context<'a, E> {
     /// The environment.
@@ -10,20 +11,24 @@ pub struct Context<'a, E> {
     /// The state before the controller.
     pub state: &'a State,
     /// The objects of the controller.
-    pub own: &'a [ObjectId],
+    pub objects: &'a [ObjectId],
     /// Those of the later one, if there is one.
-    pub later: &'a [ObjectId],
-    /// Predicates of one object that hold of every member of a group.
-    pub among: &'a [PredicateId],
+    pub later_objects: &'a [ObjectId],
+    /// Who is a member of a group: see [`Description::members`](super::Description::members).
+    pub members: &'a [PredicateId],
 }
 
 impl<E: Environment> Context<'_, E> {
-    /// The objects of a type that count as members of groups.
+    /// Whether an object is none of the controllers'.
+    pub(super) fn is_other(&self, object: ObjectId) -> bool {
+        !self.objects.contains(&object) && !self.later_objects.contains(&object)
+    }
+
+    /// The objects of a type that are members of groups.
     pub(super) fn members(&self, kind: TypeId) -> impl Iterator<Item = ObjectId> {
         self.state.of_type(kind).filter(move |object| {
-            let mut narrowing = self.narrowing(kind);
-            narrowing
-                .all(|predicate| (predicate.classifier)(self.environment, self.state, &[*object]))
+            let holds = |p: &Predicate<E>| (p.classifier)(self.environment, self.state, &[*object]);
+            self.narrowing(kind).all(holds)
         })
     }
 
@@ -33,12 +38,10 @@ impl<E: Environment> Context<'_, E> {
     }
 
     /// The predicates that are about objects of a type.
-    fn narrowing(&self, kind: TypeId) -> impl Iterator<Item = &'static crate::task::Predicate<E>> {
+    fn narrowing(&self, kind: TypeId) -> impl Iterator<Item = &'static Predicate<E>> {
         let all = self.environment.predicates();
-        let named = self
-            .among
-            .iter()
-            .filter_map(|id| all.get(usize::from(id.0)));
+        let named = self.members.iter();
+        let named = named.filter_map(|id| all.get(usize::from(id.0)));
         named.filter(move |predicate| predicate.arguments == [kind])
     }
 }

@@ -7,7 +7,7 @@ use crate::plan::skills::{SkillRoom, TrainingRoom, learn};
 use crate::plan::{Grounding, Room};
 use critreg::env::stick_button::StickButton;
 use critreg::plan::{Conclusion, Config, Guide, Planner, Sampler, Simulated, Unguided};
-use critreg::skill::{Informed, Training};
+use critreg::skill::{RegionGuide, RegionSampler, Training};
 use critreg::task::State;
 use rand_pcg::Pcg64;
 
@@ -86,7 +86,8 @@ pub fn measure() -> Measured {
     for run in runs() {
         let grounding = Grounding::new(&ENVIRONMENT, &run.task).expect("few buttons");
         let simulated = grounding.simulated();
-        let informed = Informed::new(&ENVIRONMENT, &skills, &run.task.initial);
+        let sampler = RegionSampler::new(&ENVIRONMENT, &skills);
+        let guide = RegionGuide::new(&ENVIRONMENT, &skills, &run.task.initial);
         let mut plan = Planning {
             grounding: &grounding,
             initial: &run.task.initial,
@@ -94,12 +95,12 @@ pub fn measure() -> Measured {
             room: &mut room,
         };
         original.push(plan.plan(simulated, Unguided));
-        learned.push(plan.plan(informed, informed));
+        learned.push(plan.plan(sampler, guide));
     }
     Measured {
         original: Series::new("original samplers", "original", &original),
         learned: Series::new("learned regions", "learned", &learned),
-        learning: costs.iter().map(|cost| cost.calls).sum(),
+        learning: costs.iter().map(|cost| cost.runs).sum(),
     }
 }
 

@@ -8,7 +8,8 @@ use critreg::learn::version_space::Capacity;
 use critreg::random::generator;
 use critreg::region::Theta;
 use critreg::skill::{
-    Candidate, Changes, Describe, Learned, Situation, Skill, Skills, Training, TrainingMemory,
+    Candidate, Changes, Describe, Learned, Situation, Skill, Skills, Trainer, Training,
+    TrainingMemory,
 };
 use critreg::task::{GroundOperator, Task};
 use std::ops::RangeInclusive;
@@ -52,7 +53,7 @@ impl TrainingRoom {
     /// Memory for so many calls of each of two controllers, or states of one without
     /// parameters.
     pub fn new(training: &Training) -> TrainingRoom {
-        let instances = training.instances.max(training.states);
+        let instances = training.situations.max(training.states);
         let calls = training
             .learner
             .calls
@@ -108,7 +109,7 @@ pub fn tasks(seed: u64, buttons: RangeInclusive<usize>, count: usize) -> Vec<Tas
 /// the framework.
 ///
 /// # Errors
-/// Those of [`Skills::learn`].
+/// Those of [`Trainer::learn`].
 pub fn learn(
     skills: &mut Skills<'_>,
     seed: u64,
@@ -122,7 +123,7 @@ pub fn learn(
 /// Learns all skills of an environment from training tasks.
 ///
 /// # Errors
-/// Those of [`Skills::learn`].
+/// Those of [`Trainer::learn`].
 pub fn learn_from<E: Describe>(
     environment: &E,
     skills: &mut Skills<'_>,
@@ -139,6 +140,7 @@ pub fn learn_from<E: Describe>(
         ..*training
     };
     let all = 0..environment.descriptions().len();
-    all.map(|index| skills.learn(index, environment, tasks, &training, room.lend()))
+    let mut trainer = Trainer::new(environment, training, room.lend());
+    all.map(|index| trainer.learn(skills, index, tasks))
         .collect()
 }

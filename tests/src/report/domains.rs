@@ -48,7 +48,7 @@ pub fn training() -> Training {
         chained: 60,
         budget: 245,
         tasks: 12,
-        instances: 34,
+        situations: 34,
         states: 26,
     }
 }
@@ -174,7 +174,7 @@ fn evaluate<E: Describe>(
 /// Learns all skills from tasks of a seed. The room is one for this training.
 ///
 /// # Errors
-/// Those of [`Skills::learn`].
+/// Those of [`Trainer::learn`](critreg::skill::Trainer::learn).
 pub fn train<E: Describe>(
     environment: &E,
     task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
@@ -193,12 +193,12 @@ fn print_budgets<E: Describe>(environment: &E, skills: &Skills<'_>, learned: &[L
     for (id, controller) in (0..).map(ControllerId).zip(environment.controllers()) {
         let pairs = skills.iter().zip(learned);
         let own: Vec<&Learned> = pairs
-            .filter(|(skill, _)| skill.description().own == id)
+            .filter(|(skill, _)| skill.description().controller == id)
             .map(|(_, learned)| learned)
             .collect();
         if !own.is_empty() {
             let tasks = own.iter().map(|learned| learned.tasks).max();
-            let calls: u32 = own.iter().map(|learned| learned.calls).sum();
+            let calls: u32 = own.iter().map(|learned| learned.runs).sum();
             println!(
                 "controller: {}, tasks {}, calls {calls}",
                 controller.name,
@@ -221,8 +221,8 @@ fn print_skill<E: Describe>(
         "skill: {}, tasks {}, instances {}, calls {}, {judged}",
         title(environment, skill),
         learned.tasks,
-        learned.instances,
-        learned.calls,
+        learned.situations,
+        learned.runs,
     );
     println!("region: {}", text(skill));
 }
@@ -241,7 +241,7 @@ fn title<E: Environment>(environment: &E, skill: &Skill) -> String {
         [] => " (states)",
         _ => "",
     };
-    format!("{}{later}{states}", name(description.own))
+    format!("{}{later}{states}", name(description.controller))
 }
 
 /// The region of a skill as text.

@@ -1,12 +1,11 @@
 //! How good the region of a skill is on tasks that it was not learned from.
 
 use crate::plan::skills::TrainingRoom;
-use critreg::domain::MAX_PARAMETERS;
 use critreg::learn::Answer;
 use critreg::random::{Generator, generator, uniform, uniform_in};
 use critreg::region::Theta;
-use critreg::skill::{Describe, Situation, Skills};
-use critreg::task::{Environment, Task};
+use critreg::skill::{Describe, Oracle, Skills, Trainer, Training};
+use critreg::task::Task;
 use std::fmt;
 
 /// Situations to judge in, and parameters in each of them.
@@ -46,39 +45,36 @@ pub(super) fn judge<E: Describe>(
     room: &mut TrainingRoom,
 ) -> Judged {
     let mut judged = Judged::default();
-    let Some(region) = skills.get(index).and_then(|s| s.region()).cloned() else {
+    let Some(skill) = skills.get(index).cloned() else {
         return judged;
     };
-    let count = skills.situations(index, environment, tests, SITUATIONS, room.lend());
-    let situations: Vec<Situation> = {
-        let count = count.expect("there is room");
-        let memory = room.lend();
-        memory.situations[..count]
-            .iter()
-            .flatten()
-            .cloned()
-            .collect()
+    let (Some(region), domain) = (skill.region(), skill.domain()) else {
+        return judged;
     };
+    let mut trainer = Trainer::new(environment, Training::default(), room.lend());
+    let situations = trainer
+        .situations(skills, index, tests, SITUATIONS)
+        .expect("there is room");
+    let parameters = domain.parameters().len();
+    let mut oracle = Oracle::new(environment, skills);
     let mut rng = generator(index as u64);
-    for situation in &situations {
-        let skill = skills.get(index).expect("it is there");
-        let (domain, mut numbers) = (skill.domain().clone(), vec![0.0; skill.binding().len()]);
-        skill
-            .instance(environment, situation, &mut numbers)
+    for situation in situations.iter().flatten() {
+        let mut numbers = vec![0.0; skill.binding().len()];
+        situation
+            .instance(environment, &skill, &mut numbers)
             .expect("the situation is of the skill");
-        let parameters = domain.parameters().len();
-        let grounded = region.ground::<f64>(&domain, &numbers).expect("a region");
-        let proposal = proposal(environment, situation, &mut rng);
+        let grounded = region.ground::<f64>(domain, &numbers).expect("a region");
+        let proposal = situation.proposal(environment, &mut rng);
         let space: Vec<[f64; 2]> = domain
             .parameters()
             .iter()
             .map(|p| [p.low, p.high])
             .collect();
         for draw in 0..if parameters == 0 { 1 } else { DRAWS } {
-            let mut works = |theta: &Theta, skills: &mut Skills<'_>| {
+            let mut works = |theta: &Theta| {
                 let theta = (parameters > 0).then_some(&theta[..parameters]);
-                let tried = skills.attempt(environment, situation, theta, &mut rng);
-                match tried.expect("trying does not fail").0 {
+                let answer = oracle.answer(situation, theta, &mut rng);
+                match answer.expect("an oracle does not fail") {
                     Answer::Feasible => Some(true),
                     // Of a chain where already the first step fails nothing is said.
                     Answer::FailedStep(1) if situation.steps.len() > 1 => None,
@@ -87,13 +83,13 @@ pub(super) fn judge<E: Describe>(
             };
             let mut chance = generator((draw as u64) << 8);
             if let Ok(theta) = grounded.sample(&mut chance)
-                && let Some(works) = works(&theta, skills)
+                && let Some(works) = works(&theta)
             {
                 judged.admitted += 1;
                 judged.admitted_feasible += u32::from(works);
             }
             let theta = near(&proposal, &space, &mut chance);
-            if works(&theta, skills) == Some(true) {
+            if works(&theta) == Some(true) {
                 let inside = grounded.contains(&theta[..parameters]);
                 judged.feasible += 1;
                 judged.feasible_admitted += u32::from(inside.expect("parameters"));
@@ -101,17 +97,6 @@ pub(super) fn judge<E: Describe>(
         }
     }
     judged
-}
-
-/// Parameters of the original sampler.
-fn proposal<E: Environment>(environment: &E, situation: &Situation, rng: &mut Generator) -> Theta {
-    let own = &situation.steps[0];
-    let drawn = environment.sample(own.operator, &situation.state, own.objects.as_slice(), rng);
-    let mut theta = [0.0; MAX_PARAMETERS];
-    for (value, drawn) in theta.iter_mut().zip(drawn) {
-        *value = f64::from(drawn);
-    }
-    theta
 }
 
 /// Parameters close to some, at any scale.

@@ -163,7 +163,7 @@ fn version_space(seeds: u64) {
         );
         let learned = learned.expect("learning does not fail");
         for ((sum, regions), learned) in calls.iter_mut().zip(&learned) {
-            *sum += learned.calls;
+            *sum += learned.runs;
             *regions += u32::from(learned.region);
         }
         for (buttons, (original, row)) in
@@ -177,7 +177,7 @@ fn version_space(seeds: u64) {
             plan(row, &tests, &skills, &mut room);
             row.learners += 1;
             row.regions += learned.iter().map(|l| u32::from(l.region)).sum::<u32>();
-            row.learning_calls += learned.iter().map(|l| u64::from(l.calls)).sum::<u64>();
+            row.learning_calls += learned.iter().map(|l| u64::from(l.runs)).sum::<u64>();
         }
     }
     for (original, row) in originals.iter().zip(&rows) {
@@ -191,7 +191,7 @@ fn version_space(seeds: u64) {
         let later = description
             .later
             .map_or(String::new(), |id| format!(" then {}", name(id)));
-        println!("learning: {}{later}", name(description.own));
+        println!("learning: {}{later}", name(description.controller));
         println!(
             "learning_calls_mean: {:.1}",
             f64::from(calls) / seeds as f64

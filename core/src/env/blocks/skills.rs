@@ -4,9 +4,9 @@ use super::{Blocks, PUT_ON_TABLE};
 use crate::skill::{Describe, Description};
 
 static DESCRIPTIONS: [Description; 1] = [Description {
-    own: PUT_ON_TABLE,
+    controller: PUT_ON_TABLE,
     later: None,
-    among: &[],
+    members: &[],
     text: include_str!("skills/put_on_table.txt"),
 }];
 

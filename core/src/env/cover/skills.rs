@@ -4,19 +4,19 @@ use super::{Cover, CoverRegrasp, RegionalBumpyCover};
 use crate::skill::{Describe, Description};
 use crate::task::ControllerId;
 
-const fn alone(own: ControllerId, text: &'static str) -> Description {
+const fn alone(controller: ControllerId, text: &'static str) -> Description {
     Description {
-        own,
+        controller,
         later: None,
-        among: &[],
+        members: &[],
         text,
     }
 }
 
-const fn chained(own: ControllerId, later: ControllerId, text: &'static str) -> Description {
+const fn chained(controller: ControllerId, later: ControllerId, text: &'static str) -> Description {
     Description {
         later: Some(later),
-        ..alone(own, text)
+        ..alone(controller, text)
     }
 }
 

@@ -152,6 +152,27 @@ pub struct Memory<'m, R> {
     pub region: &'m mut Region,
 }
 
+impl<R> Memory<'_, R> {
+    /// The same memory, lent for a shorter time.
+    pub fn reborrow(&mut self) -> Memory<'_, R> {
+        Memory {
+            features: self.features,
+            columns: self.columns,
+            instances: self.instances,
+            spans: self.spans,
+            bits: self.bits,
+            rows: self.rows,
+            lefts: self.lefts,
+            sets: self.sets,
+            covers: self.covers,
+            samples: self.samples,
+            observations: self.observations,
+            support: self.support,
+            region: self.region,
+        }
+    }
+}
+
 /// What decides the questions of a learner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Config {

@@ -1,10 +1,17 @@
 //! Learning skills from training tasks.
 
+mod candidates;
+mod config;
+mod memory;
 mod oracle;
+mod realise;
 mod selection;
-mod situations;
+mod situation;
 mod trainer;
 
-pub(super) use oracle::completed;
-pub use situations::{Candidate, MAX_CHAIN, Situation};
-pub use trainer::{Learned, Training, TrainingMemory};
+pub use candidates::Candidate;
+pub use config::{Learned, Training};
+pub use memory::TrainingMemory;
+pub use oracle::Oracle;
+pub use situation::{MAX_CHAIN, Situation};
+pub use trainer::Trainer;

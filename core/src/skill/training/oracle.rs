@@ -1,183 +1,181 @@
-//! Trying a situation: the question that the learner of a skill asks.
+//! The oracle that the learner of a skill asks.
 
-use crate::domain::MAX_PARAMETERS;
+use super::situation::{MAX_CHAIN, Situation};
 use crate::error::Error;
 use crate::learn::Answer;
 use crate::plan::{Draw, Drawn, Sampler, Skeleton};
 use crate::random::Generator;
-use crate::region::Theta;
-use crate::skill::{Describe, Informed, MAX_CHAIN, Situation, Skills};
-use crate::task::{GroundOperator, Parameters, State, try_operator};
+use crate::skill::changes::Changes;
+use crate::skill::description::Describe;
+use crate::skill::planning::{RegionSampler, completed};
+use crate::skill::skills::{Library, Skills};
+use crate::skill::tuning::TRIES;
+use crate::task::{GroundOperator, State, try_operator};
 
-/// How often operators whose parameters are free are tried before they count as
-/// impossible.
-const TRIES: u32 = 2;
+/// Answers whether parameters are feasible in a situation, by running controllers (the
+/// simulator of thesis 4.3). What they change is noted.
+#[derive(Debug)]
+pub struct Oracle<'a, E> {
+    environment: &'a E,
+    library: Library<'a>,
+    changes: &'a mut [Changes],
+    runs: u32,
+}
 
-/// What came of an operator.
+/// What came of operators.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Tried {
-    /// It works.
+    /// They work.
     Works,
-    /// It does not.
+    /// They do not, with the parameters that were drawn.
     Fails,
-    /// It is known that no parameters work; it was not run.
+    /// They do not with any: so one need not run.
     Impossible,
 }
 
-impl GroundOperator {
-    /// Parameters of the original sampler.
-    pub(super) fn propose<E: Describe>(
-        &self,
-        environment: &E,
-        state: &State,
-        rng: &mut Generator,
-    ) -> Theta {
-        let drawn = completed(environment, self, state, &[], rng);
-        let mut theta = [0.0; MAX_PARAMETERS];
-        for (value, drawn) in theta.iter_mut().zip(&drawn) {
-            *value = f64::from(*drawn);
-        }
-        theta
+impl<'a, E: Describe> Oracle<'a, E> {
+    /// An oracle that draws parameters that are free from what is known so far.
+    pub fn new(environment: &'a E, skills: &'a mut Skills<'_>) -> Self {
+        Oracle::from_parts(environment, skills.parts_mut())
     }
-}
 
-impl Skills<'_> {
-    /// Tries a situation with parameters of its operator; those of the operators after it
-    /// are drawn from what is known, and so are its own if there are none. Returns also
-    /// how many controllers were run.
+    pub(super) fn from_parts(
+        environment: &'a E,
+        (library, changes): (Library<'a>, &'a mut [Changes]),
+    ) -> Self {
+        Oracle {
+            environment,
+            library,
+            changes,
+            runs: 0,
+        }
+    }
+
+    /// How many controllers were run.
+    pub fn runs(&self) -> u32 {
+        self.runs
+    }
+
+    /// Tries parameters of the first operator of a situation; those of the operators after
+    /// it are drawn from what is known, and so are its own if there are none.
+    ///
+    /// The answer is that the first step failed, or the second one if any operator after it
+    /// did.
     ///
     /// # Errors
     /// [`Error::Mismatch`] if an operator is not of this environment, and those of
-    /// [`Informed`].
-    pub fn attempt<E: Describe>(
+    /// [`RegionSampler`].
+    pub fn answer(
         &mut self,
-        environment: &E,
         situation: &Situation,
         theta: Option<&[f64]>,
         rng: &mut Generator,
-    ) -> Result<(Answer, u32), Error> {
-        let (mut answer, mut runs) = (Answer::FailedStep(1), 0);
-        let (mut after, mut tried) = (situation.state.clone(), Tried::Fails);
+    ) -> Result<Answer, Error> {
+        let (mut answer, mut first) = (Answer::FailedStep(1), Tried::Fails);
+        let mut after = situation.state.clone();
         for attempt in 1..=TRIES {
             // Given parameters need no second run.
             if theta.is_none() || attempt == 1 {
                 after.clone_from(&situation.state);
-                tried = self.step(environment, situation, (0, &mut after), theta, attempt, rng)?;
-                runs += u32::from(tried != Tried::Impossible);
+                first = self.step(situation, (0, &mut after), theta, attempt, rng)?;
             }
-            if tried != Tried::Works {
+            if first != Tried::Works {
                 continue;
             }
             answer = Answer::FailedStep(2);
-            let (works, more, decided) = self.rest(environment, situation, &after, attempt, rng)?;
-            runs += more;
-            if works {
-                return Ok((Answer::Feasible, runs));
-            }
-            if decided && theta.is_some() {
-                break;
+            match self.rest(situation, after.clone(), attempt, rng)? {
+                Tried::Works => return Ok(Answer::Feasible),
+                Tried::Impossible if theta.is_some() => break,
+                Tried::Fails | Tried::Impossible => {}
             }
         }
-        Ok((answer, runs))
+        Ok(answer)
     }
 
-    /// Tries the operators after the first. Returns whether all work, how many
-    /// controllers were run, and whether another try can only fail again.
-    fn rest<E: Describe>(
+    /// Tries the operators after the first.
+    fn rest(
         &mut self,
-        environment: &E,
         situation: &Situation,
-        state: &State,
+        mut state: State,
         attempt: u32,
         rng: &mut Generator,
-    ) -> Result<(bool, u32, bool), Error> {
-        let (mut state, mut runs, mut decided) = (state.clone(), 0, true);
+    ) -> Result<Tried, Error> {
+        let mut drawn = false;
         for (step, ground) in situation.steps.iter().enumerate().skip(1) {
-            match self.step(
-                environment,
-                situation,
-                (step, &mut state),
-                None,
-                attempt,
-                rng,
-            )? {
-                Tried::Works => {}
-                Tried::Fails => {
-                    decided &= !is_sampled(environment, ground)?;
-                    return Ok((false, runs + 1, decided));
-                }
-                Tried::Impossible => return Ok((false, runs, decided)),
+            let tried = self.step(situation, (step, &mut state), None, attempt, rng)?;
+            drawn |= tried != Tried::Impossible && is_sampled(self.environment, ground)?;
+            if tried != Tried::Works {
+                return Ok(if drawn {
+                    Tried::Fails
+                } else {
+                    Tried::Impossible
+                });
             }
-            runs += 1;
-            decided &= !is_sampled(environment, ground)?;
         }
-        Ok((true, runs, true))
+        Ok(Tried::Works)
     }
 
     /// Runs an operator of a situation and notes what it changes. If it works the state
     /// becomes the one afterwards.
-    fn step<E: Describe>(
+    fn step(
         &mut self,
-        environment: &E,
         situation: &Situation,
         (step, state): (usize, &mut State),
         theta: Option<&[f64]>,
         attempt: u32,
         rng: &mut Generator,
     ) -> Result<Tried, Error> {
-        let Some(ground) = situation.steps.get(step) else {
+        let (environment, Some(ground)) = (self.environment, situation.steps.get(step)) else {
             return Ok(Tried::Impossible);
         };
         let parameters = match theta {
             Some(theta) => completed(environment, ground, state, theta, rng),
-            None => {
-                let places: [u16; MAX_CHAIN] = core::array::from_fn(|place| place as u16);
-                let places = places.get(..situation.steps.len()).unwrap_or_default();
-                let draw = Draw {
-                    skeleton: Skeleton::new(&situation.steps, places),
-                    step,
-                    operator: ground,
-                    state,
-                    attempt,
-                    advised: true,
-                };
-                let mut informed = Informed::new(environment, self, &situation.state);
-                match informed.sample(&draw, rng)? {
-                    Drawn::Parameters(drawn) | Drawn::Informed(drawn) => drawn,
-                    Drawn::Empty(_) => return Ok(Tried::Impossible),
-                }
-            }
+            None => match self.draw(situation, (step, state), attempt, rng)? {
+                Drawn::Parameters(drawn) | Drawn::Informed(drawn) => drawn,
+                Drawn::Empty(_) => return Ok(Tried::Impossible),
+            },
         };
         let (operator, objects) = (environment.operator(ground)?, ground.objects.as_slice());
         let outcome = try_operator(environment, operator, objects, &parameters, state);
+        self.runs += 1;
         if !outcome.is_feasible() {
             return Ok(Tried::Fails);
         }
         let arguments = operator.controller_objects(objects)?;
-        if let Some(changes) = self.changes_mut(operator.controller) {
+        if let Some(changes) = self.changes.get_mut(usize::from(operator.controller.0)) {
             changes.observe(arguments.as_slice(), state, &outcome.state);
         }
         *state = outcome.state;
         Ok(Tried::Works)
     }
-}
 
-/// The first parameters, and behind them those of the original sampler.
-pub(in crate::skill) fn completed<E: Describe, R: rand_core::Rng>(
-    environment: &E,
-    ground: &GroundOperator,
-    state: &State,
-    first: &[f64],
-    rng: &mut R,
-) -> Parameters {
-    let objects = ground.objects.as_slice();
-    let mut parameters = environment.sample(ground.operator, state, objects, rng);
-    for (value, given) in parameters.iter_mut().zip(first) {
-        *value = *given as f32;
+    /// Draws parameters of a step, with those of the steps after it in view.
+    fn draw(
+        &self,
+        situation: &Situation,
+        (step, state): (usize, &State),
+        attempt: u32,
+        rng: &mut Generator,
+    ) -> Result<Drawn, Error> {
+        let places: [u16; MAX_CHAIN] = core::array::from_fn(|place| place as u16);
+        let places = places.get(..situation.steps.len()).unwrap_or_default();
+        let skeleton = Skeleton::new(&situation.steps, places);
+        let Some(operator) = skeleton.get(step) else {
+            return Err(Error::InvalidArgument("a situation has no such step"));
+        };
+        let draw = Draw {
+            skeleton,
+            step,
+            operator,
+            state,
+            attempt,
+            advised: true,
+        };
+        RegionSampler::from_library(self.environment, self.library).sample(&draw, rng)
     }
-    parameters
 }
 
+/// Whether the controller of an operator has parameters.
 fn is_sampled<E: Describe>(environment: &E, ground: &GroundOperator) -> Result<bool, Error> {
     let operator = environment.operator(ground)?;
     let controller = environment.controller(operator.controller)?;
