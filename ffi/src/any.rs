@@ -7,7 +7,7 @@ use critreg_core::Error;
 use critreg_core::learn::version_space::{self, Evidence, VersionSpace};
 #[cfg(feature = "algorithm1")]
 use critreg_core::learn::{self, Algorithm1};
-use critreg_core::learn::{Answer, Learner, Observation, Problem, Query};
+use critreg_core::learn::{Learner, Observation, Outcome, Problem, Query};
 use critreg_core::real::Real;
 use critreg_core::region::Region;
 
@@ -152,7 +152,7 @@ impl Learner for AnyLearner {
         self.any_mut().ask(problem)
     }
 
-    fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error> {
+    fn tell(&mut self, problem: &Problem<'_>, answer: Outcome) -> Result<(), Error> {
         self.any_mut().tell(problem, answer)
     }
 

@@ -9,7 +9,7 @@ use crate::status::{Failure, Fallible, Message, critreg_status, status_of, stop_
 use crate::structs;
 use crate::text;
 use core::ffi::{c_char, c_void};
-use critreg_core::learn::{Answer, Learner as _, Problem, Query};
+use critreg_core::learn::{Learner as _, Outcome, Problem, Query};
 
 /// What came of an action: CRITREG_FEASIBLE, or the number of the step of an
 /// action sequence that failed, counted from one.
@@ -140,11 +140,11 @@ fn show_progress(handle: &critreg_learner, inner: &Inner) -> Fallible {
     )
 }
 
-fn answer(outcome: critreg_outcome) -> Fallible<Answer> {
+fn answer(outcome: critreg_outcome) -> Fallible<Outcome> {
     match u32::try_from(outcome) {
-        Ok(0) => Ok(Answer::Feasible),
-        Ok(step) => Ok(Answer::FailedStep(step)),
-        Err(_) => Err(Failure::invalid("the outcome is negative or was not set")),
+        Ok(0) => Ok(Outcome::Feasible),
+        Ok(step @ 1..=255) => Ok(Outcome::FailedStep(step as u8)),
+        _ => Err(Failure::invalid("the outcome is negative or was not set")),
     }
 }
 

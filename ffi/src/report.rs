@@ -118,7 +118,9 @@ impl critreg_report {
             remaining: report.remaining as u64,
             calls: report.calls as u64,
             feasible: report.feasible as u64,
-            infeasible: report.calls.saturating_sub(report.feasible) as u64,
+            infeasible: report
+                .calls
+                .saturating_sub(report.feasible + report.unknown) as u64,
             constraints_left_out: report.constraints_left_out as u64,
             ..EMPTY
         }
@@ -134,6 +136,7 @@ impl critreg_report {
             feasible: report.feasible as u64,
             infeasible: report.infeasible as u64,
             strays: report.strays as u64,
+            constraints_left_out: report.constraints_left_out as u64,
             certificate_draws: report.certificate.draws.into(),
             certificate_feasible: report.certificate.feasible.into(),
             certificate_lower_bound: report.certificate.lower_bound,

@@ -12,7 +12,7 @@ use critreg::text::TextBuffer;
 use critreg_tests::pick::{ENVIRONMENT, instances};
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, tasks};
 use critreg_tests::plan::{Grounding, Room};
-use critreg_tests::report::VersionSpaceRoom;
+use critreg_tests::room::VersionSpaceRoom;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 

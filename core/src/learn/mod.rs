@@ -1,7 +1,7 @@
 //! Learning a region by asking for samples and being told what came of them.
 //!
 //! A learner never owns the simulator. It is *asked* for a [`Query`], the next
-//! sample to try, and *told* the [`Answer`]; [`learn_region`] is that loop and
+//! sample to try, and *told* the [`Outcome`]; [`learn_region`] is that loop and
 //! nothing more. So a simulator can be a function, a thread pool, another process
 //! or a robot, and a run can be saved and resumed: everything a learner knows
 //! follows from its configuration and its observations.
@@ -13,11 +13,13 @@
 
 mod algorithm1;
 mod log;
+mod outcome;
 mod problem;
 pub mod version_space;
 
 pub use algorithm1::{Algorithm1, Bounds, Capacity, Config, Memory, Report};
 pub use log::{Observation, resume, save, saved_len};
+pub use outcome::Outcome;
 pub use problem::Problem;
 pub use version_space::VersionSpace;
 
@@ -33,32 +35,6 @@ pub struct Query {
     pub theta: Theta,
 }
 
-/// What came of a sample.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Answer {
-    /// The action worked.
-    Feasible,
-    /// The action failed; in a sequence of actions, the number of the one that
-    /// failed, from one.
-    FailedStep(u32),
-}
-
-impl Answer {
-    /// The answer about a single action.
-    pub fn from_feasible(feasible: bool) -> Answer {
-        if feasible {
-            Answer::Feasible
-        } else {
-            Answer::FailedStep(1)
-        }
-    }
-
-    /// Whether the action worked.
-    pub fn is_feasible(self) -> bool {
-        self == Answer::Feasible
-    }
-}
-
 /// The interface that all learners share.
 pub trait Learner {
     /// The sample to try next. Asking again before the answer is told gives the
@@ -69,13 +45,14 @@ pub trait Learner {
     /// the problem is not the one learning began with.
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error>;
 
-    /// Takes the answer to the last query.
+    /// Takes the answer to the last query: what came of it.
     ///
     /// # Errors
     /// [`Error::OutOfSequence`] if nothing was asked,
-    /// [`Error::CapacityExceeded`] if there is no room for another observation;
-    /// what was learned so far stays valid.
-    fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error>;
+    /// [`Error::CapacityExceeded`] if there is no room for another observation,
+    /// [`Error::Mismatch`] if the problem is not the one learning began with. Then
+    /// nothing was told, and the query still waits for its answer.
+    fn tell(&mut self, problem: &Problem<'_>, outcome: Outcome) -> Result<(), Error>;
 
     /// Whether there is nothing more to ask.
     fn is_finished(&self) -> bool;
@@ -107,12 +84,12 @@ pub trait Learner {
 pub fn learn_region<'l, L: Learner, E: From<Error>>(
     learner: &'l mut L,
     problem: &Problem<'_>,
-    mut simulate: impl FnMut(&L, &Query) -> Result<Answer, E>,
+    mut simulate: impl FnMut(&L, &Query) -> Result<Outcome, E>,
 ) -> Result<&'l Region, E> {
     while !learner.is_finished() {
         let query = learner.ask(problem)?;
-        let answer = simulate(learner, &query)?;
-        learner.tell(problem, answer)?;
+        let outcome = simulate(learner, &query)?;
+        learner.tell(problem, outcome)?;
     }
     Ok(learner.region()?)
 }

@@ -95,18 +95,10 @@ impl Region {
 
     /// Replaces its formula where it lies by what `write` makes of one that holds for
     /// every sample.
-    ///
-    /// # Errors
-    /// Those of `write`; what it wrote then stays.
-    pub(crate) fn rewrite(
-        &mut self,
-        domain: &Domain<'_>,
-        write: impl FnOnce(&mut Formula) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+    pub(crate) fn rewrite(&mut self, domain: &Domain<'_>, write: impl FnOnce(&mut Formula)) {
         self.formula.clear();
-        let written = write(&mut self.formula);
+        write(&mut self.formula);
         self.settle(domain);
-        written
     }
 
     /// Makes it the same as another, where it lies.

@@ -24,7 +24,7 @@ pub use controller::{
 pub use environment::{Environment, Failure};
 pub use operator::{GroundOperator, Operator, OperatorId, ground_operators};
 pub use state::{MAX_STATE_VALUES, Naming, ObjectId, ObjectName, ObjectType, State, TypeId};
-pub use trial::{Outcome, Verdict, try_operator, try_operator_from};
+pub use trial::{Trial, Verdict, try_operator, try_operator_from};
 
 use heapless::Vec;
 

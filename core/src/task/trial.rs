@@ -22,9 +22,9 @@ pub enum Verdict {
     Failed(Failure),
 }
 
-/// What came of an operator.
+/// An operator that was tried, and what came of it.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct Trial {
     /// The last state; the start state if no action was taken.
     pub state: State,
     /// How many actions were taken.
@@ -33,7 +33,7 @@ pub struct Outcome {
     pub verdict: Verdict,
 }
 
-impl Outcome {
+impl Trial {
     /// Whether the parameters are feasible.
     pub fn is_feasible(&self) -> bool {
         self.verdict == Verdict::Feasible
@@ -49,23 +49,18 @@ pub fn try_operator<E: Environment>(
     objects: &[ObjectId],
     parameters: &[f32],
     start: &State,
-) -> Outcome {
-    let mut outcome = Outcome {
+) -> Trial {
+    let mut trial = Trial {
         state: start.clone(),
         actions: 0,
         verdict: Verdict::NoAction,
     };
-    (outcome.actions, outcome.verdict) = try_operator_from(
-        environment,
-        operator,
-        objects,
-        parameters,
-        &mut outcome.state,
-    );
-    if outcome.actions == 0 {
-        outcome.state.clone_from(start);
+    (trial.actions, trial.verdict) =
+        try_operator_from(environment, operator, objects, parameters, &mut trial.state);
+    if trial.actions == 0 {
+        trial.state.clone_from(start);
     }
-    outcome
+    trial
 }
 
 /// As [`try_operator`], in a state that the caller lends, see [`rollout_from`]. Tells how
@@ -264,11 +259,11 @@ mod tests {
             (vanish, [1.0, 2.0], Verdict::DeleteEffectRemains),
         ];
         for (operator, theta, verdict) in cases {
-            let outcome = try_operator(&Cart, operator, &[ObjectId(0)], &theta, &start());
-            assert_eq!(outcome.verdict, verdict, "{theta:?}");
+            let trial = try_operator(&Cart, operator, &[ObjectId(0)], &theta, &start());
+            assert_eq!(trial.verdict, verdict, "{theta:?}");
         }
-        let outcome = try_operator(&Cart, advance, &[], &[1.0, 2.0], &start());
-        assert_eq!(outcome.verdict, Verdict::NoAction, "an object is missing");
+        let trial = try_operator(&Cart, advance, &[], &[1.0, 2.0], &start());
+        assert_eq!(trial.verdict, Verdict::NoAction, "an object is missing");
     }
 
     #[test]

@@ -6,11 +6,12 @@
 
 use critreg::Error;
 use critreg::domain::Domain;
-use critreg::learn::{Algorithm1, Answer, Learner, Problem, VersionSpace, version_space};
+use critreg::learn::{Algorithm1, Learner, Outcome, Problem};
 use critreg::random::{generator, uniform};
 use critreg::region::Region;
-use critreg_tests::report::{self, Run, Scenario, Statistics, Truth, VersionSpaceRoom};
-use critreg_tests::{pick, room::Room};
+use critreg_tests::report::{self, Run, Scenario, Statistics, Truth};
+use critreg_tests::room::{Algorithm1Room, VersionSpaceRoom};
+use critreg_tests::{pick, text};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -155,8 +156,7 @@ fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
     let instances = scenario.draw(seed, scenario.instances);
     let domain = &scenario.domain;
     let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
-    let observations = scenario.calls as usize;
-    let mut room = Room::new(20_000, observations + 2);
+    let mut room = Algorithm1Room::new(20_000, scenario.calls as usize + 2);
     let (capacity, mut config) = (room.capacity, pick::config(seed));
     config.iterations = scenario.calls.saturating_sub(2);
     let baseline = match Algorithm1::new(domain, config, capacity, room.lend()) {
@@ -164,21 +164,9 @@ fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
         // It knows only actions with parameters.
         Err(_) => Run::default(),
     };
-    let mut room = VersionSpaceRoom::<f64>::new(version_space::Capacity {
-        forms: 12_000,
-        tracked: usize::MAX,
-        observations,
-        instances: scenario.instances,
-        steps: scenario.steps,
-    });
-    let config = version_space::Config {
-        seed,
-        calls: scenario.calls,
-        noise: scenario.noise,
-        ..version_space::Config::default()
-    };
-    let capacity = room.capacity;
-    let learner = VersionSpace::new(domain, config, capacity, room.lend()).expect("enough room");
+    let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
+    let learner = room.learner(domain, scenario.config(seed));
+    let learner = learner.expect("enough room");
     [baseline, run(learner, scenario, &problem, &truth, seed)]
 }
 
@@ -202,7 +190,7 @@ fn run<L: Learner>(
         let instance = problem.instance(query.instance).expect("an instance");
         let mut answer = scenario.judge(instance, &query.theta[..used]);
         if uniform(&mut flips) < scenario.noise {
-            answer = Answer::from_feasible(!answer.is_feasible());
+            answer = Outcome::from_feasible(!answer.is_feasible());
         }
         learner.tell(problem, answer).expect("room for the answer");
         let region = match learner.region() {
@@ -220,7 +208,7 @@ fn run<L: Learner>(
     };
     let score = truth.full_score(domain, &last);
     Run {
-        region: Some(text(domain, &last)),
+        region: Some(text::of_region(domain, &last)),
         score,
         calls_to_exact: calls_to_exact(domain, truth, &regions).filter(|_| score.is_exact()),
     }
@@ -239,10 +227,4 @@ fn calls_to_exact(
     };
     let backwards = regions.iter().rev().take_while(|(_, region)| exact(region));
     backwards.last().map(|(calls, _)| *calls)
-}
-
-fn text(domain: &Domain<'_>, region: &Region) -> String {
-    let mut text = String::new();
-    region.write(domain, &mut text).expect("strings grow");
-    text
 }

@@ -7,10 +7,11 @@ pub mod skills;
 
 use critreg::Error;
 use critreg::plan::{
-    AbstractTask, Cached, HeuristicMemory, Memory, Progress, SearchMemory, SearchNode, Simulated,
-    Step, Waiting,
+    AbstractTask, Cached, Config, Guide, HeuristicMemory, Memory, Planned, Planner, Progress,
+    Sampler, SearchMemory, SearchNode, Simulated, Step, Waiting,
 };
 use critreg::task::{AtomSet, Atoms, Environment, GroundOperator, State, Task, ground_operators};
+use rand_core::Rng;
 
 /// Most ground operators: those of ten buttons.
 pub const MAX_OPERATORS: usize = 256;
@@ -104,6 +105,27 @@ impl<'e, E: Environment> Grounding<'e, E> {
             initial: self.initial,
             goal: self.goal,
         }
+    }
+
+    /// Plans from the initial state. Lots, and the samples of each skeleton, are the
+    /// numbers that `numbers` begins.
+    ///
+    /// # Errors
+    /// Those of [`Planner::plan`].
+    pub fn plan<'m, R: Rng + Clone>(
+        &'m self,
+        initial: &State,
+        (mut sampler, mut guide): (impl Sampler<Simulated<'m, E>>, impl Guide),
+        numbers: impl Fn() -> R,
+        room: &'m mut Room,
+    ) -> Result<Planned<'m, State>, Error> {
+        let mut planner = Planner {
+            world: &mut self.simulated(),
+            sampler: &mut sampler,
+            guide: &mut guide,
+            config: Config::default(),
+        };
+        planner.plan(self.task(), initial, numbers(), &numbers, room.lend())
     }
 
     /// The environment.

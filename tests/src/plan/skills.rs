@@ -2,7 +2,7 @@
 
 use super::{MAX_OPERATORS, Room};
 use crate::pick::ENVIRONMENT;
-use crate::report::VersionSpaceRoom;
+use crate::room::VersionSpaceRoom;
 use critreg::Error;
 use critreg::learn::version_space::Capacity;
 use critreg::random::generator;

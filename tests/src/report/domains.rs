@@ -6,6 +6,7 @@ use crate::golden::{self, Recording};
 use crate::lottery::Lottery;
 use crate::plan::Room;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn_from};
+use crate::text;
 use critreg::Error;
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
@@ -224,7 +225,9 @@ fn print_skill<E: Describe>(
         learned.situations,
         learned.runs,
     );
-    println!("region: {}", text(skill));
+    let region = skill.region();
+    let region = region.map(|region| text::of_region(skill.domain(), region));
+    println!("region: {}", region.as_deref().unwrap_or("none"));
 }
 
 /// The controllers of a skill.
@@ -242,17 +245,4 @@ fn title<E: Environment>(environment: &E, skill: &Skill) -> String {
         _ => "",
     };
     format!("{}{later}{states}", name(description.controller))
-}
-
-/// The region of a skill as text.
-fn text(skill: &Skill) -> String {
-    let mut text = String::new();
-    match skill.region() {
-        Some(region) => {
-            let written = region.write(skill.domain(), &mut text);
-            written.expect("a string has room");
-            text
-        }
-        None => "none".into(),
-    }
 }

@@ -1,7 +1,7 @@
 //! How good the region of a skill is on tasks that it was not learned from.
 
 use crate::plan::skills::TrainingRoom;
-use critreg::learn::Answer;
+use critreg::learn::Outcome;
 use critreg::random::{Generator, generator, uniform, uniform_in};
 use critreg::region::Theta;
 use critreg::skill::{Describe, Oracle, Skills, Trainer, Training};
@@ -73,12 +73,13 @@ pub(super) fn judge<E: Describe>(
         for draw in 0..if parameters == 0 { 1 } else { DRAWS } {
             let mut works = |theta: &Theta| {
                 let theta = (parameters > 0).then_some(&theta[..parameters]);
-                let answer = oracle.answer(situation, theta, &mut rng);
-                match answer.expect("an oracle does not fail") {
-                    Answer::Feasible => Some(true),
+                let outcome = oracle.answer(situation, theta, &mut rng);
+                match outcome.expect("an oracle does not fail") {
+                    Outcome::Feasible => Some(true),
                     // Of a chain where already the first step fails nothing is said.
-                    Answer::FailedStep(1) if situation.steps.len() > 1 => None,
-                    Answer::FailedStep(_) => Some(false),
+                    Outcome::FailedStep(1) if situation.steps.len() > 1 => None,
+                    Outcome::FailedStep(_) => Some(false),
+                    Outcome::Unknown => None,
                 }
             };
             let mut chance = generator((draw as u64) << 8);

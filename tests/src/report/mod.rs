@@ -3,7 +3,6 @@
 mod domains;
 mod judge;
 mod judged;
-mod room;
 mod row;
 mod scenario;
 mod shapes;
@@ -13,7 +12,6 @@ mod table;
 
 pub use domains::{NAMES as DOMAINS, print as domains, train, training};
 pub use judge::{Score, Truth};
-pub use room::VersionSpaceRoom;
 pub use scenario::{Scenario, angles, chain, noise, pick};
 pub use shapes::{groups, interval, state, union};
 pub use statistics::{Run, Statistics};

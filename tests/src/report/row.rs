@@ -1,7 +1,7 @@
 //! A row of the table: what planning took.
 
 use crate::plan::{Grounding, Room};
-use critreg::plan::{Conclusion, Config, Guide, Planned, Planner, Sampler, Simulated, Unguided};
+use critreg::plan::{Conclusion, Guide, Planned, Sampler, Simulated, Unguided};
 use critreg::skill::{Describe, RegionGuide, RegionSampler, Skills};
 use critreg::task::{Environment, State, Task};
 use rand_core::Rng;
@@ -83,18 +83,11 @@ impl Row {
     pub(super) fn plan<'m, E: Environment, R: Rng + Clone>(
         &mut self,
         (grounding, task): (&'m Grounding<'_, E>, &Task),
-        (mut sampler, mut guide): (impl Sampler<Simulated<'m, E>>, impl Guide),
+        advice: (impl Sampler<Simulated<'m, E>>, impl Guide),
         numbers: impl Fn() -> R,
-        room: &mut Room,
+        room: &'m mut Room,
     ) {
-        let mut planner = Planner {
-            world: &mut grounding.simulated(),
-            sampler: &mut sampler,
-            guide: &mut guide,
-            config: Config::default(),
-        };
-        let (abstracted, initial) = (grounding.task(), &task.initial);
-        let planned = planner.plan(abstracted, initial, numbers(), &numbers, room.lend());
+        let planned = grounding.plan(&task.initial, advice, numbers, room);
         let planned = planned.expect("the environment does not fail");
         self.add(grounding.environment(), task, &planned);
     }

@@ -1,14 +1,15 @@
 //! The thesis's Table 6.1 and what learned regions make of it.
 
 use super::row::{Row, ground};
+use crate::data;
 use crate::pick::{self, ENVIRONMENT};
 use crate::plan::Room;
 use crate::plan::lower_half::LowerHalf;
-use crate::plan::record::{self, Run};
+use crate::plan::record;
 use crate::plan::skills::{self, SkillRoom, TrainingRoom};
-use crate::{data, room};
+use crate::room::Algorithm1Room;
 use critreg::env::stick_button::{PICK_STICK, ROBOT, STICK};
-use critreg::learn::{Algorithm1, Answer, Problem, learn_region};
+use critreg::learn::{Algorithm1, Outcome, Problem, learn_region};
 use critreg::plan::Unguided;
 use critreg::random::generator;
 use critreg::region::Region;
@@ -52,12 +53,11 @@ fn tests(buttons: (usize, usize), seed: u64) -> Vec<Task> {
 fn replayed() {
     let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
     let mut room = Room::new(NODES);
-    let is_its = |run: &Run| run.name.starts_with("1-1 buttons, seed 0,");
     let mut rows = [
         Row::new("seed 0, 1 button (replay)", "original"),
         Row::new("seed 0, 1 button (replay)", "PickStick from U(0, 0.5)"),
     ];
-    for run in record::runs().filter(is_its) {
+    for run in record::runs_of_the_thesis() {
         let numbers = || generators[run.planner_seed as usize].clone();
         let [original, lower] = &mut rows;
         original.plan_originally((&ENVIRONMENT, &run.task), numbers, &mut room);
@@ -123,7 +123,7 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
         skill.binding().instance(&pick::context(state), numbers)?;
     }
     let problem = Problem::new(skill.domain(), &instances, states.len())?;
-    let mut room = room::Room::new(20_000, 102);
+    let mut room = Algorithm1Room::new(20_000, 102);
     let capacity = room.capacity;
     let config = pick::config(seed);
     let mut learner = Algorithm1::new(skill.domain(), config, capacity, room.lend())?;
@@ -132,7 +132,7 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
         let operator = &task::Environment::operators(&ENVIRONMENT)[1];
         let mu = query.theta[0] as f32;
         let tried = task::try_operator(&ENVIRONMENT, operator, &[ROBOT, STICK], &[mu], state);
-        Ok::<_, Error>(Answer::from_feasible(tried.is_feasible()))
+        Ok::<_, Error>(Outcome::from_feasible(tried.is_feasible()))
     });
     region.cloned()
 }

@@ -2,7 +2,7 @@
 
 use super::{ROBOT, STICK, StickButton, World};
 use crate::error::Error;
-use crate::learn::Answer;
+use crate::learn::Outcome;
 use crate::task::{Environment, OperatorId, State, Verdict, try_operator_from};
 
 /// The operator PickStickFromNothing.
@@ -21,11 +21,11 @@ impl StickButton {
     /// # Errors
     /// [`Error::InvalidArgument`] if the instance has another length or there is
     /// no parameter.
-    pub fn try_pick(&self, instance: &[f64], theta: &[f64]) -> Result<Answer, Error> {
+    pub fn try_pick(&self, instance: &[f64], theta: &[f64]) -> Result<Outcome, Error> {
         let mut state = State::new();
         read_instance(instance, &mut state)?;
         let verdict = pick(self, &mut state, theta)?;
-        Ok(Answer::from_feasible(verdict == Verdict::Feasible))
+        Ok(Outcome::from_feasible(verdict == Verdict::Feasible))
     }
 }
 

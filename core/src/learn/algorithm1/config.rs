@@ -89,6 +89,8 @@ pub struct Report {
     pub calls: usize,
     /// Samples told that were feasible.
     pub feasible: usize,
+    /// Samples told about which nothing is known.
+    pub unknown: usize,
     /// Bounds that found no room in the region.
     pub constraints_left_out: usize,
 }

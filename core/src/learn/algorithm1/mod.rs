@@ -44,7 +44,7 @@ pub use config::{Capacity, Config, Memory, Report};
 
 use super::log::Observation;
 use super::problem::Problem;
-use super::{Answer, Learner, Query, cut};
+use super::{Learner, Outcome, Query, cut};
 use crate::domain::{
     CHECKSUM, Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene,
 };
@@ -99,7 +99,7 @@ enum Phase {
 /// // The hand must stay before the wall.
 /// let region = learn_region(&mut learner, &problem, |_, query| {
 ///     let wall = problem.instance(query.instance)?[0];
-///     Ok::<_, critreg::Error>(Answer::from_feasible(query.theta[0] < wall))
+///     Ok::<_, critreg::Error>(Outcome::from_feasible(query.theta[0] < wall))
 /// })?;
 /// assert!(!region.formula().constraints().is_empty());
 /// # Ok(())
@@ -272,11 +272,10 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         self.region = Region::new(domain, formula);
     }
 
-    fn advance(&mut self, feasible: bool) {
+    fn advance(&mut self) {
         let remaining = self.hypotheses.remaining();
         self.report.remaining = remaining;
         self.report.calls += 1;
-        self.report.feasible += usize::from(feasible);
         self.phase = match self.phase {
             Phase::Negative => {
                 self.report.after_negative = Some(remaining);
@@ -305,20 +304,25 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         Ok(query)
     }
 
-    fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error> {
+    fn tell(&mut self, problem: &Problem<'_>, outcome: Outcome) -> Result<(), Error> {
         let Some(query) = self.pending else {
             return Err(Error::OutOfSequence("ask for a sample before telling"));
         };
         problem.check_begun(self.problem)?;
         self.evaluate(problem, &query)?;
-        self.observations.push(Observation::new(&query, answer)?)?;
+        self.observations.push(Observation::new(&query, outcome)?)?;
         self.pending = None;
-        let feasible = answer.is_feasible();
-        self.hypotheses.update(&self.features, feasible);
-        self.bounds
-            .settle(&mut self.hypotheses, &self.features, feasible);
-        self.rebuild_region(problem.domain());
-        self.advance(feasible);
+        match outcome.label() {
+            None => self.report.unknown += 1,
+            Some(feasible) => {
+                self.hypotheses.update(&self.features, feasible);
+                self.bounds
+                    .settle(&mut self.hypotheses, &self.features, feasible);
+                self.rebuild_region(problem.domain());
+                self.report.feasible += usize::from(feasible);
+            }
+        }
+        self.advance();
         Ok(())
     }
 

@@ -37,7 +37,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         self.pending = Some(Pending {
             query,
             lead: 0,
-            failed_step: 0,
+            failed_step: 1,
             certifying,
         });
         Ok(())
@@ -48,7 +48,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     #[inline(never)]
     fn question(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<(), Error> {
         if self.is_doubtful() {
-            self.elect(problem.domain())?;
+            self.elect(problem.domain());
         } else {
             self.mend();
         }
@@ -76,7 +76,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             }
             if !self.elected {
                 // Nothing is left to ask: is there a better explanation to be doubted?
-                self.elect(problem.domain())?;
+                self.elect(problem.domain());
                 let (choice, lefts) = self.choice();
                 if choice.best(problem, lefts, rng, query)? {
                     return Ok(true);
@@ -115,7 +115,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     fn draw_to_certify(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<bool, Error> {
         if !self.certifying {
             self.certifying = true;
-            self.elect(problem.domain())?;
+            self.elect(problem.domain());
         }
         self.draw(problem, query)
     }

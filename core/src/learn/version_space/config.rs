@@ -240,6 +240,10 @@ pub struct Report {
     pub feasible: usize,
     /// Infeasible ones.
     pub infeasible: usize,
+    /// Samples put aside because their answer is unknown.
+    pub unknown: usize,
+    /// Constraints that found no room in the region, which is too large without them.
+    pub constraints_left_out: usize,
     /// Samples that the region is wrong about, see [`Config::slack`].
     pub strays: usize,
     /// Draws from the region, and what they prove.

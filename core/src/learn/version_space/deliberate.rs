@@ -8,7 +8,6 @@ use super::greedy::Taste;
 use super::set::count;
 use super::{CANDIDATES, Certificate, VersionSpace};
 use crate::domain::Domain;
-use crate::error::Error;
 use crate::real::Real;
 
 /// By how many bits the answers must be longer than their explanation: one of
@@ -72,7 +71,10 @@ impl<R: Real> VersionSpace<'_, R> {
     }
 
     /// Counts again how many samples support each constraint of the region.
-    pub(super) fn count_support(&mut self) {
+    pub(super) fn count_support(&mut self, domain: &Domain<'_>) {
+        if self.report.constraints_left_out > 0 {
+            return self.rebuild_region(domain);
+        }
         let best = self.covers.iter().step_by(MEMBERS).flat_map(|c| &c.chosen);
         let counts = best.flat_map(|chosen| chosen.bounds().map(|_| chosen.support));
         for (evidence, count) in self.support.as_mut_slice().iter_mut().zip(counts) {
@@ -108,12 +110,12 @@ impl<R: Real> VersionSpace<'_, R> {
 
     /// Looks for still better explanations and makes the region of them.
     #[inline(never)]
-    pub(super) fn elect(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
+    pub(super) fn elect(&mut self, domain: &Domain<'_>) {
         self.mend();
         self.compete(domain);
         (self.elected, self.standing) = (true, self.bits());
         self.electors = self.forms.samples();
-        self.rebuild_region(domain)
+        self.rebuild_region(domain);
     }
 
     /// Puts the shortest of several refined explanations in the place of the best of
@@ -152,37 +154,40 @@ impl<R: Real> VersionSpace<'_, R> {
         }
     }
 
-    /// Writes the region of the best explanations, unless it is there already.
-    ///
-    /// # Errors
-    /// [`Error::CapacityExceeded`]; then there is no region until one finds room.
+    /// Writes the region of the best explanations, unless it is there already, and what
+    /// supports its constraints. One that finds no room is left out and counted.
     #[inline(never)]
-    pub(super) fn rebuild_region(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
-        self.written = false;
+    pub(super) fn rebuild_region(&mut self, domain: &Domain<'_>) {
         let (forms, support) = (&self.forms, &mut self.support);
         let best = || self.covers.iter().step_by(MEMBERS).enumerate();
+        let clauses =
+            || best().flat_map(|(step, cover)| cover.chosen.iter().map(move |c| (step, c)));
+        let describe = |(step, chosen): (usize, &_)| explain::describe(domain, forms, chosen, step);
         self.report.strays = best().map(|(step, cover)| cover.strays(forms, step)).sum();
         support.clear();
         let mut old = self.region.formula().comparison();
-        let mut same = true;
-        for (step, cover) in best() {
-            let mut note = |nodes: &[_], any_of: &[_], evidence: &[_]| {
-                same &= old.next_is(nodes, any_of);
-                evidence.iter().try_for_each(|own| support.push(*own))
-            };
-            explain::for_each_constraint(domain, forms, cover, step, &mut note)?;
+        let same = clauses().map(describe).all(|described| {
+            described.is_ok_and(|new| {
+                let noted = new.evidence.iter().try_for_each(|own| support.push(*own));
+                noted.is_ok() && old.next_is(&new.nodes, &new.any_of)
+            })
+        });
+        if same && old.is_at_end() {
+            return;
         }
-        if !(same && old.is_at_end()) {
-            self.report.certificate = Certificate::default();
-            self.region.rewrite(domain, |formula| {
-                best().try_for_each(|(step, cover)| {
-                    let mut add = |nodes: &[_], any_of: &[_], _: &[_]| formula.and(nodes, any_of);
-                    explain::for_each_constraint(domain, forms, cover, step, &mut add)
-                })
-            })?;
-        }
-        self.written = true;
-        Ok(())
+        self.report.certificate = Certificate::default();
+        self.report.constraints_left_out = 0;
+        support.clear();
+        let left_out = &mut self.report.constraints_left_out;
+        self.region.rewrite(domain, |formula| {
+            for described in clauses().map(describe) {
+                let added = described.and_then(|new| {
+                    formula.and(&new.nodes, &new.any_of)?;
+                    new.evidence.iter().try_for_each(|own| support.push(*own))
+                });
+                *left_out += usize::from(added.is_err());
+            }
+        });
     }
 }
 

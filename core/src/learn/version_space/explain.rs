@@ -3,7 +3,6 @@
 use super::bound::Bound;
 use super::chosen::Chosen;
 use super::config::Evidence;
-use super::cover::Cover;
 use super::forms::{Forms, tolerance};
 use super::name::{Name, Named, Scaled, clearance, simplest};
 use crate::domain::{Domain, Node, NodeId, Relation, TermError, copy, intern};
@@ -23,35 +22,44 @@ const PRICE_OF_CORNERS: f64 = 0.56;
 /// Terms of one constraint.
 const TERMS: usize = 40;
 
-/// Takes a constraint: its terms, its bounds, and what supports each.
-pub(super) type Visit<'v> =
-    &'v mut dyn FnMut(&[Node], &[Inequality], &[Evidence]) -> Result<(), Error>;
+/// A constraint in words of the domain.
+pub(super) struct Description {
+    /// The terms of the bounds.
+    pub(super) nodes: Vec<Node, TERMS>,
+    /// Its bounds, of which one must hold.
+    pub(super) any_of: Vec<Inequality, 2>,
+    /// What supports each bound.
+    pub(super) evidence: Vec<Evidence, 2>,
+}
 
-/// Calls `visit` with each constraint of an explanation of a step, counted from zero.
-pub(super) fn for_each_constraint<R: Real>(
+/// Describes a constraint of a step, counted from zero.
+///
+/// # Errors
+/// [`Error::CapacityExceeded`] if it has more terms than a description has room for.
+pub(super) fn describe<R: Real>(
     domain: &Domain<'_>,
     forms: &Forms<'_, R>,
-    cover: &Cover<R>,
+    chosen: &Chosen<R>,
     step: usize,
-    visit: Visit<'_>,
-) -> Result<(), Error> {
-    for chosen in &cover.chosen {
-        let mut nodes: Vec<Node, TERMS> = Vec::new();
-        let mut any_of: Vec<Inequality, 2> = Vec::new();
-        let mut support: Vec<Evidence, 2> = Vec::new();
-        for bound in chosen.bounds() {
-            let _ = any_of.push(inequality(domain, forms, bound, &mut nodes)?);
-            let own = |value: R| bound.side.outward(value).to_f64();
-            let _ = support.push(Evidence {
-                step: step as u32 + 1,
-                feasible: own(bound.inner),
-                infeasible: own(bound.outer),
-                support: chosen.support,
-            });
-        }
-        visit(&nodes, &any_of, &support)?;
+) -> Result<Description, Error> {
+    let mut description = Description {
+        nodes: Vec::new(),
+        any_of: Vec::new(),
+        evidence: Vec::new(),
+    };
+    for bound in chosen.bounds() {
+        let inequality = inequality(domain, forms, bound, &mut description.nodes)?;
+        let own = |value: R| bound.side.outward(value).to_f64();
+        // There is room for both bounds.
+        let _ = description.any_of.push(inequality);
+        let _ = description.evidence.push(Evidence {
+            step: step as u32 + 1,
+            feasible: own(bound.inner),
+            infeasible: own(bound.outer),
+            support: chosen.support,
+        });
     }
-    Ok(())
+    Ok(description)
 }
 
 #[inline(never)]

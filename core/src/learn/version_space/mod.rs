@@ -84,7 +84,7 @@ pub use membership::Membership;
 
 use super::log::Observation;
 use super::problem::Problem;
-use super::{Answer, Learner, Query, cut};
+use super::{Learner, Outcome, Query, cut};
 use crate::domain::{CHECKSUM, Domain};
 use crate::error::Error;
 use crate::random::{Generator, generator};
@@ -105,8 +105,8 @@ struct Pending {
     query: Query,
     /// How many more answers said feasible than infeasible.
     lead: i32,
-    /// The step that failed last.
-    failed_step: u32,
+    /// The step that failed last, from one.
+    failed_step: u8,
     /// Whether it is drawn from the region, to certify it.
     certifying: bool,
 }
@@ -141,8 +141,6 @@ pub struct VersionSpace<'m, R> {
     /// How many samples there were then.
     electors: usize,
     region: &'m mut Region,
-    /// Whether the region says what the best explanations do.
-    written: bool,
     support: Table<'m, Evidence>,
     report: Report,
 }
@@ -222,7 +220,6 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             standing: 0.0,
             electors: 0,
             region,
-            written: true,
             support: Table::new(cut(support, capacity.support())?, "constraints of a region"),
             report: Report::default(),
         })
@@ -259,8 +256,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
 
     fn is_explained(&self) -> bool {
         let constraints = self.constraints();
-        self.written
-            && self.report.feasible > 0
+        self.report.feasible > 0
             && constraints > 0
             && self.influence
             && self
@@ -283,10 +279,10 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         Ok(())
     }
 
-    /// Takes a sample whose answer is beyond doubt.
-    fn learn(&mut self, problem: &Problem<'_>, pending: &Pending) -> Result<(), Error> {
+    /// Takes a sample whose answer is beyond doubt; its left sides are in `lefts`.
+    fn learn(&mut self, domain: &Domain<'_>, pending: &Pending) {
         let feasible = pending.lead > 0;
-        self.take_in(problem, pending)?;
+        self.take_in(pending);
         self.note_influence(&pending.query, feasible);
         let moved = self.mend_best();
         let Certificate {
@@ -301,31 +297,28 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         self.report.certificate = Certificate::new(draws, worked, self.config.confidence);
         match (pending.certifying, feasible) {
             (true, true) => {}
-            (false, _) if !moved => self.count_support(),
+            (false, _) if !moved => self.count_support(domain),
             (true, false) => {
                 // Half of the answers that are left may find out what is wrong.
                 (self.certifying, self.certify_from) = (false, self.calls_left() / 2);
-                self.rebuild_region(problem.domain())?;
+                self.rebuild_region(domain);
             }
-            (false, _) => self.rebuild_region(problem.domain())?,
+            (false, _) => self.rebuild_region(domain),
         }
-        Ok(())
     }
 
     /// Tells the forms of a sample.
     #[inline(never)]
-    fn take_in(&mut self, problem: &Problem<'_>, pending: &Pending) -> Result<(), Error> {
+    fn take_in(&mut self, pending: &Pending) {
         let Query { instance, .. } = pending.query;
-        self.forms
-            .evaluate_query(problem, &pending.query, self.lefts)?;
         if pending.lead > 0 {
             self.report.feasible += 1;
             let steps = self.capacity.steps;
             return self.forms.add(instance, self.lefts, steps, None);
         }
         self.report.infeasible += 1;
-        let failed = pending.failed_step.saturating_sub(1) as usize;
-        self.forms.add(instance, self.lefts, failed, Some(failed))
+        let failed = usize::from(pending.failed_step.saturating_sub(1));
+        self.forms.add(instance, self.lefts, failed, Some(failed));
     }
 
     fn note_influence(&mut self, query: &Query, feasible: bool) {
@@ -336,14 +329,14 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             } else {
                 !elsewhere && o.theta != query.theta
             };
-            apart && (o.failed_step == 0) != feasible
+            apart && o.outcome.label() == Some(!feasible)
         };
         self.influence |= !self.influence && self.observations.as_slice().iter().any(differs);
     }
 
-    fn check_step(&self, answer: Answer) -> Result<(), Error> {
-        match answer {
-            Answer::FailedStep(step) if step as usize > self.capacity.steps => Err(
+    fn check_step(&self, outcome: Outcome) -> Result<(), Error> {
+        match outcome {
+            Outcome::FailedStep(step) if usize::from(step) > self.capacity.steps => Err(
                 Error::InvalidArgument("the learner has room for fewer steps than this one"),
             ),
             _ => Ok(()),
@@ -370,37 +363,49 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         }
         problem.check_begun(self.problem)?;
         if self.pending.is_none() {
-            self.next_query(problem)?;
+            let before = (self.rng.clone(), self.certifying);
+            let chosen = self.next_query(problem);
+            if chosen.is_err() {
+                (self.rng, self.certifying) = before;
+            }
+            chosen?;
         }
         let pending = self.pending.as_ref().map(|pending| pending.query);
         pending.ok_or(Error::OutOfSequence("there is nothing to ask"))
     }
 
-    fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error> {
+    fn tell(&mut self, problem: &Problem<'_>, outcome: Outcome) -> Result<(), Error> {
         let Some(mut pending) = self.pending else {
             return Err(Error::OutOfSequence("ask for a sample before telling"));
         };
         problem.check_begun(self.problem)?;
-        self.check_step(answer)?;
-        self.observations
-            .push(Observation::new(&pending.query, answer)?)?;
+        self.check_step(outcome)?;
+        let observation = Observation::new(&pending.query, outcome)?;
+        self.forms
+            .evaluate_query(problem, &pending.query, self.lefts)?;
+        self.observations.push(observation)?;
+        // Nothing fails from here on: a call that fails changes nothing.
         self.report.calls += 1;
-        match answer {
-            Answer::Feasible => pending.lead += 1,
-            Answer::FailedStep(step) => {
+        match outcome {
+            Outcome::Feasible => pending.lead += 1,
+            Outcome::FailedStep(step) => {
                 pending.lead -= 1;
                 pending.failed_step = step;
             }
+            Outcome::Unknown => self.report.unknown += 1,
         }
-        if pending.lead.abs() < self.needed_lead {
+        let decided = pending.lead.abs() >= self.needed_lead;
+        if !decided && outcome != Outcome::Unknown {
             self.pending = Some(pending);
             return Ok(());
         }
         self.pending = None;
         self.unasked = self.unasked.map(|count| count.saturating_sub(1));
-        self.learn(problem, &pending)?;
+        if decided {
+            self.learn(problem.domain(), &pending);
+        }
         if self.is_finished() && !self.certifying {
-            self.elect(problem.domain())?;
+            self.elect(problem.domain());
         }
         Ok(())
     }

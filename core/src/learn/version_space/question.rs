@@ -440,7 +440,7 @@ impl<R: Real> Choice<'_, '_, R> {
             .unwrap_or_default();
         let find = |feasible: bool| {
             let own = |o: &&Observation| {
-                o.instance as usize == instance && (o.failed_step == 0) == feasible
+                o.instance as usize == instance && o.outcome.label() == Some(feasible)
             };
             after.iter().chain(before).find(own)
         };

@@ -2,7 +2,7 @@
 
 use super::situation::{MAX_CHAIN, Situation};
 use crate::error::Error;
-use crate::learn::Answer;
+use crate::learn::Outcome;
 use crate::plan::{Draw, Drawn, Sampler, Skeleton};
 use crate::random::Generator;
 use crate::skill::changes::Changes;
@@ -59,8 +59,8 @@ impl<'a, E: Describe> Oracle<'a, E> {
     /// Tries parameters of the first operator of a situation; those of the operators after
     /// it are drawn from what is known, and so are its own if there are none.
     ///
-    /// The answer is that the first step failed, or the second one if any operator after it
-    /// did.
+    /// Of a failure it tells that the first step failed, or the second one if any operator
+    /// after it did.
     ///
     /// # Errors
     /// [`Error::Mismatch`] if an operator is not of this environment, and those of
@@ -70,8 +70,8 @@ impl<'a, E: Describe> Oracle<'a, E> {
         situation: &Situation,
         theta: Option<&[f64]>,
         rng: &mut Generator,
-    ) -> Result<Answer, Error> {
-        let (mut answer, mut first) = (Answer::FailedStep(1), Tried::Fails);
+    ) -> Result<Outcome, Error> {
+        let (mut outcome, mut first) = (Outcome::FailedStep(1), Tried::Fails);
         let mut after = situation.state.clone();
         for attempt in 1..=TRIES {
             // Given parameters need no second run.
@@ -82,14 +82,14 @@ impl<'a, E: Describe> Oracle<'a, E> {
             if first != Tried::Works {
                 continue;
             }
-            answer = Answer::FailedStep(2);
+            outcome = Outcome::FailedStep(2);
             match self.rest(situation, after.clone(), attempt, rng)? {
-                Tried::Works => return Ok(Answer::Feasible),
+                Tried::Works => return Ok(Outcome::Feasible),
                 Tried::Impossible if theta.is_some() => break,
                 Tried::Fails | Tried::Impossible => {}
             }
         }
-        Ok(answer)
+        Ok(outcome)
     }
 
     /// Tries the operators after the first.
@@ -136,16 +136,16 @@ impl<'a, E: Describe> Oracle<'a, E> {
             },
         };
         let (operator, objects) = (environment.operator(ground)?, ground.objects.as_slice());
-        let outcome = try_operator(environment, operator, objects, &parameters, state);
+        let tried = try_operator(environment, operator, objects, &parameters, state);
         self.runs += 1;
-        if !outcome.is_feasible() {
+        if !tried.is_feasible() {
             return Ok(Tried::Fails);
         }
         let arguments = operator.controller_objects(objects)?;
         if let Some(changes) = self.changes.get_mut(usize::from(operator.controller.0)) {
-            changes.observe(arguments.as_slice(), state, &outcome.state);
+            changes.observe(arguments.as_slice(), state, &tried.state);
         }
-        *state = outcome.state;
+        *state = tried.state;
         Ok(Tried::Works)
     }
 

@@ -85,7 +85,7 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
         let situation = steps.map(|steps| Situation {
             state,
             steps,
-            answer: None,
+            outcome: None,
         });
         Ok((situation, runs))
     }

@@ -1,7 +1,7 @@
 //! Where a skill is tried.
 
 use crate::error::Error;
-use crate::learn::Answer;
+use crate::learn::Outcome;
 use crate::region::Theta;
 use crate::skill::context::Context;
 use crate::skill::description::Describe;
@@ -23,7 +23,7 @@ pub struct Situation {
     /// The operator, and then those up to the later one, if there is one.
     pub steps: Vec<GroundOperator, MAX_CHAIN>,
     /// What came of trying it, where that is tried once.
-    pub(super) answer: Option<Answer>,
+    pub(super) outcome: Option<Outcome>,
 }
 
 impl Situation {

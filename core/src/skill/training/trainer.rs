@@ -10,7 +10,7 @@ use super::situation::Situation;
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::version_space::{Capacity, Config, VersionSpace};
-use crate::learn::{Answer, Learner, Problem, learn_region};
+use crate::learn::{Learner, Outcome, Problem, learn_region};
 use crate::random::{Generator, generator};
 use crate::region::Region;
 use crate::skill::changes::Changes;
@@ -275,8 +275,8 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
         let outcome = learn_region(&mut learner, &problem, |_, query| {
             let situation = memory.situations.get(query.instance);
             let situation = situation.and_then(Option::as_ref).ok_or(NO_SITUATION)?;
-            match situation.answer {
-                Some(answer) => Ok(answer),
+            match situation.outcome {
+                Some(outcome) => Ok(outcome),
                 None => {
                     let theta = query.theta.get(..domain.parameters().len());
                     oracle.answer(situation, theta, rng)
@@ -322,9 +322,9 @@ fn try_states<E: Describe>(
         let Some(Some(situation)) = situations.get_mut(index) else {
             break;
         };
-        let answer = oracle.answer(situation, None, rng)?;
-        situation.answer = Some(answer);
-        if !(chained && answer == Answer::FailedStep(1)) {
+        let outcome = oracle.answer(situation, None, rng)?;
+        situation.outcome = Some(outcome);
+        if !(chained && outcome == Outcome::FailedStep(1)) {
             swap_rows(situations, 1, kept, index);
             kept += 1;
         }

@@ -1,7 +1,6 @@
 //! Taking samples in: S widens, and the sets of excluded samples follow.
 
 use super::{Forms, Known, Sample, Span, tolerance};
-use crate::error::Error;
 use crate::real::Real;
 
 /// Neighbouring forms that are looked at together: in most blocks nothing changes.
@@ -34,13 +33,13 @@ impl<R: Real> Forms<'_, R> {
         lefts: &[R],
         worked: usize,
         failed: Option<usize>,
-    ) -> Result<(), Error> {
+    ) {
         let index = self.samples.len();
         let (word, bit) = (index / 64, 1u64 << (index % 64));
-        let full = Error::CapacityExceeded("samples");
-        self.samples.push(Sample {
-            instance: u32::try_from(instance).map_err(|_| full)?,
-        })?;
+        // There is room: as much as for observations, of which each decides one at most.
+        let _ = self.samples.push(Sample {
+            instance: instance as u32,
+        });
         let row = self
             .rows
             .chunks_exact_mut(self.left_count.max(1))
@@ -61,7 +60,6 @@ impl<R: Real> Forms<'_, R> {
             self.enter(step, false, index);
             self.note_excluded(instance, lefts, step, word, bit);
         }
-        Ok(())
     }
 
     /// Widens S of every form that is tracked by a feasible sample. Forms that were widened may

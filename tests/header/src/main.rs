@@ -1,0 +1,159 @@
+//! Writes `include/critreg.h` from the C interface: `cargo run -p critreg-header`. The
+//! header is committed; the tests here hold it against the interface as it is.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The files with the interface, in the order in which the manual tells it.
+const SOURCES: [&str; 20] = [
+    "status.rs",
+    "memory.rs",
+    "precision.rs",
+    "report.rs",
+    "config.rs",
+    "learner.rs",
+    "learning.rs",
+    "saving.rs",
+    "region.rs",
+    "constraint.rs",
+    "sampling.rs",
+    "rng.rs",
+    "planner_config.rs",
+    "planner.rs",
+    "planner_callbacks.rs",
+    "planning.rs",
+    "planner_metrics.rs",
+    "check.rs",
+    "stick_button.rs",
+    "stick_button_world.rs",
+];
+
+fn main() {
+    fs::write(committed(), generated()).expect("the header can be written");
+}
+
+/// A file of the repository.
+fn file(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .join(path)
+}
+
+fn committed() -> PathBuf {
+    file("include/critreg.h")
+}
+
+fn generated() -> String {
+    let ffi = file("ffi");
+    let config = cbindgen::Config::from_file(ffi.join("cbindgen.toml")).unwrap();
+    let mut builder = cbindgen::Builder::new().with_config(config);
+    for source in SOURCES {
+        builder = builder.with_src(ffi.join("src").join(source));
+    }
+    let mut bytes = Vec::new();
+    builder.generate().unwrap().write(&mut bytes);
+    String::from_utf8(bytes).unwrap()
+}
+
+#[test]
+fn the_header_is_up_to_date() {
+    let committed = fs::read_to_string(committed()).unwrap_or_default();
+    assert!(
+        committed == generated(),
+        "include/critreg.h does not describe the interface as it is; update it with\n    \
+         cargo run -p critreg-header"
+    );
+}
+
+#[test]
+fn no_file_of_the_interface_is_left_out() {
+    for entry in fs::read_dir(file("ffi/src")).unwrap() {
+        let path = entry.unwrap().path();
+        let exports = fs::read_to_string(&path).unwrap().contains("no_mangle");
+        let name = path.file_name().unwrap().to_str().unwrap();
+        assert!(!exports || SOURCES.contains(&name), "{name} is left out");
+    }
+}
+
+#[test]
+fn everything_is_documented() {
+    // A declaration follows the end of a comment; a field or macro, too.
+    let header = generated();
+    let mut previous = "";
+    for line in header.lines() {
+        let declares = line.starts_with("critreg_status critreg_")
+            || line.starts_with("typedef ")
+            || (line.starts_with("#define CRITREG_") && line != "#define CRITREG_H");
+        assert!(
+            !declares || previous.ends_with("*/"),
+            "no comment above: {line}"
+        );
+        previous = line;
+    }
+}
+
+/// What the manual says about the memory of a planner is true on machines with
+/// pointers of 64 bits.
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn the_memory_of_a_planner_is_true() {
+    use critreg_ffi::planner::critreg_planner_size;
+    use critreg_ffi::planner_config::critreg_planner_config_init;
+    let size = |state_len: u32| {
+        let mut config = std::mem::MaybeUninit::uninit();
+        // SAFETY: the pointer is to a variable of the size told, which is
+        // initialised when it succeeds.
+        let mut config = unsafe {
+            let len = size_of_val(&config);
+            assert_eq!(critreg_planner_config_init(config.as_mut_ptr(), len), 0);
+            config.assume_init()
+        };
+        config.state_len = state_len;
+        // SAFETY: it is a configuration.
+        unsafe { critreg_planner_size(&config) }
+    };
+    let each = size(2) - size(1);
+    let told = format!(
+        "A planner with the default capacities takes {} bytes, and {each} more for every",
+        size(1) - each
+    );
+    assert!(generated().contains(&told), "{told}");
+}
+
+/// The manual's table of how much memory a learner takes is true on machines with
+/// pointers of 64 bits.
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn the_table_of_memory_is_true() {
+    use critreg_ffi::config::{CRITREG_ALGORITHM1, CRITREG_VERSION_SPACE, critreg_config_init};
+    use critreg_ffi::learner::critreg_learner_size;
+    let size = |learner: u32, hypotheses: usize, observations: usize| {
+        let mut config = std::mem::MaybeUninit::uninit();
+        // SAFETY: the pointer is to a variable of the size told, which is
+        // initialised when it succeeds.
+        let mut config = unsafe {
+            let len = size_of_val(&config);
+            assert_eq!(critreg_config_init(config.as_mut_ptr(), len), 0);
+            config.assume_init()
+        };
+        config.learner = learner;
+        config.hypotheses = hypotheses as u32;
+        config.observations = observations as u32;
+        // SAFETY: it is a configuration.
+        unsafe { critreg_learner_size(&config) }
+    };
+    let header = generated();
+    let (_, table) = header.split_once("hypotheses  observations").unwrap();
+    let rows = table.lines().skip(1).map_while(|line| {
+        let words = line.split_whitespace();
+        let numbers: Vec<usize> = words.filter_map(|word| word.parse().ok()).collect();
+        <[usize; 4]>::try_from(numbers).ok()
+    });
+    let rows: Vec<_> = rows.collect();
+    assert_eq!(rows.len(), 4);
+    for [hypotheses, observations, sound, thesis] in rows {
+        let is = [CRITREG_VERSION_SPACE, CRITREG_ALGORITHM1]
+            .map(|learner| size(learner, hypotheses, observations));
+        assert_eq!([sound, thesis], is, "{hypotheses}, {observations}");
+    }
+}
