@@ -7,7 +7,7 @@ use critreg::learn::version_space::{Capacity, Config, VersionSpace};
 use critreg::learn::{Problem, learn_region};
 use critreg::plan::{Conclusion, Planner};
 use critreg::random::generator;
-use critreg::skill::{Describe, RegionGuide, RegionSampler, Trainer, Training};
+use critreg::skill::{Describe, RegionGuide, RegionSampler, Training};
 use critreg::text::TextBuffer;
 use critreg_tests::pick::{ENVIRONMENT, instances};
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, tasks};
@@ -94,12 +94,12 @@ fn learning_and_drawing() {
 fn learning_skills_and_planning_with_them() {
     let training = Training::default();
     let training_tasks = tasks(1, 1..=2, training.states);
-    let (mut room, mut planner_room) = (TrainingRoom::new(&training), Room::new(10_000));
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let (mut room, mut planner_room) = (TrainingRoom::new(training), Room::new(10_000));
+    let mut skill_room = SkillRoom::default();
     let task = tasks(2, 2..=2, 1).remove(0);
     let (calls, conclusion) = calls(|| -> Result<Conclusion, critreg::Error> {
-        let mut skills = skill_room.lend(&ENVIRONMENT);
-        let mut trainer = Trainer::new(&ENVIRONMENT, training, room.lend());
+        let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
+        let mut trainer = room.trainer(&ENVIRONMENT, 0);
         for index in 0..ENVIRONMENT.descriptions().len() {
             trainer.learn(&mut skills, index, &training_tasks)?;
         }

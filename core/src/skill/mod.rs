@@ -22,6 +22,7 @@ mod context;
 mod description;
 mod planning;
 mod role_binding;
+mod room;
 mod skills;
 mod training;
 mod tuning;
@@ -31,6 +32,7 @@ pub use context::Context;
 pub use description::{Describe, Description};
 pub use planning::{RegionGuide, RegionSampler};
 pub use role_binding::RoleBinding;
+pub use room::{SkillRoom, TrainingRoom};
 pub use skills::{Skill, Skills};
 pub use training::{
     Candidate, Learned, MAX_CHAIN, Oracle, Situation, Trainer, Training, TrainingMemory,

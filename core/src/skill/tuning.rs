@@ -1,6 +1,9 @@
 //! Numbers that decide what is learned of skills and how it is used, each of them chosen
 //! by trial.
 
+/// Candidates to choose from, for each situation that is wanted.
+pub(super) const CANDIDATES: usize = 4;
+
 /// In features: the most complex ones that tell how much situations differ.
 pub(super) const COMPLEXITY: usize = 2;
 

@@ -103,10 +103,10 @@ fn bench<'t, S, G: Guide>(
 }
 
 fn planning(c: &mut Criterion) {
-    let training = Training::default();
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
-    learn(&mut skills, 1, &training, &mut TrainingRoom::new(&training)).unwrap();
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
+    let mut training_room = TrainingRoom::new(Training::default());
+    learn(&mut skills, 1, &mut training_room).unwrap();
     for buttons in [1..=1, 3..=4] {
         let tasks = tasks(buttons.clone());
         let name = format!("50 tasks, {buttons:?} buttons, ideal sampler");

@@ -71,11 +71,10 @@ pub struct Measured {
 /// If the memory does not suffice to learn or to plan.
 pub fn measure() -> Measured {
     let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
-    let training = Training::default();
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
-    let mut training_room = TrainingRoom::new(&training);
-    let costs = learn(&mut skills, SEED, &training, &mut training_room).expect("enough room");
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).expect("valid descriptions");
+    let mut training_room = TrainingRoom::new(Training::default());
+    let costs = learn(&mut skills, SEED, &mut training_room).expect("enough room");
     let mut room = Room::new(10_000);
     let (mut original, mut learned) = (vec![], vec![]);
     for run in record::runs_of_the_thesis() {

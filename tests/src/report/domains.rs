@@ -140,19 +140,12 @@ fn evaluate<E: Describe>(
     tests: &[Task],
     seeds: u64,
 ) {
-    let training = training();
-    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training));
-    let mut skill_room = SkillRoom::new(environment);
+    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(training()));
+    let mut skill_room = SkillRoom::default();
     let mut planned = Row::new(name, "learned");
     for seed in FIRST_SEED..FIRST_SEED + seeds {
-        let mut skills = skill_room.lend(environment);
-        let learned = train(
-            environment,
-            &task,
-            seed,
-            &mut skills,
-            (&training, &mut training_room),
-        );
+        let mut skills = skill_room.lend(environment).expect("valid descriptions");
+        let learned = train(environment, &task, seed, &mut skills, &mut training_room);
         let learned = learned.expect("learning does not fail");
         print_budgets(environment, &skills, &learned);
         for (index, learned) in learned.iter().enumerate() {
@@ -172,7 +165,7 @@ fn evaluate<E: Describe>(
     planned.print();
 }
 
-/// Learns all skills from tasks of a seed. The room is one for this training.
+/// Learns all skills from tasks of a seed.
 ///
 /// # Errors
 /// Those of [`Trainer::learn`](critreg::skill::Trainer::learn).
@@ -181,12 +174,12 @@ pub fn train<E: Describe>(
     task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
     seed: u64,
     skills: &mut Skills<'_>,
-    (training, room): (&Training, &mut TrainingRoom),
+    room: &mut TrainingRoom,
 ) -> Result<Vec<Learned>, Error> {
     let mut rng = generator(seed ^ 0x7EA1_0000_0000);
     let tasks = (0..TRAINING).flat_map(|index| task(index, &mut rng));
     let tasks: Vec<Task> = tasks.collect();
-    learn_from(environment, skills, &tasks, seed, training, room)
+    learn_from(environment, skills, &tasks, seed, room)
 }
 
 /// Prints what it took to learn all skills of each controller.

@@ -4,7 +4,7 @@ use crate::plan::skills::TrainingRoom;
 use critreg::learn::Outcome;
 use critreg::random::{Generator, generator, uniform, uniform_in};
 use critreg::region::Theta;
-use critreg::skill::{Describe, Oracle, Skills, Trainer, Training};
+use critreg::skill::{Describe, Oracle, Skills};
 use critreg::task::Task;
 use std::fmt;
 
@@ -51,7 +51,7 @@ pub(super) fn judge<E: Describe>(
     let (Some(region), domain) = (skill.region(), skill.domain()) else {
         return judged;
     };
-    let mut trainer = Trainer::new(environment, Training::default(), room.lend());
+    let mut trainer = room.trainer(environment, 0);
     let situations = trainer
         .situations(skills, index, tests, SITUATIONS)
         .expect("there is room");

@@ -82,8 +82,8 @@ fn algorithm1() {
     let mut room = Room::new(NODES);
     let mut row = Row::new("seed 0, 1 button", "learned by algorithm1");
     for seed in FIRST_SEED..FIRST_SEED + ALGORITHM1_SEEDS {
-        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-        let mut skills = skill_room.lend(&ENVIRONMENT);
+        let mut skill_room = SkillRoom::default();
+        let mut skills = skill_room.lend(&ENVIRONMENT).expect("valid descriptions");
         match grasps(&skills, seed) {
             Ok(region) => {
                 row.regions += 1;
@@ -150,17 +150,12 @@ fn version_space(seeds: u64) {
     let mut rows = BUTTONS.map(|buttons| name(buttons, "learned, version_space"));
     let descriptions = ENVIRONMENT.descriptions();
     let mut calls = vec![(0, 0); descriptions.len()];
-    let training = Training::default();
-    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training));
+    let mut room = Room::new(NODES);
+    let mut training_room = TrainingRoom::new(Training::default());
     for seed in 0..seeds {
-        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-        let mut skills = skill_room.lend(&ENVIRONMENT);
-        let learned = skills::learn(
-            &mut skills,
-            FIRST_SEED + seed,
-            &training,
-            &mut training_room,
-        );
+        let mut skill_room = SkillRoom::default();
+        let mut skills = skill_room.lend(&ENVIRONMENT).expect("valid descriptions");
+        let learned = skills::learn(&mut skills, FIRST_SEED + seed, &mut training_room);
         let learned = learned.expect("learning does not fail");
         for ((sum, regions), learned) in calls.iter_mut().zip(&learned) {
             *sum += learned.runs;

@@ -436,8 +436,8 @@ fn planned<'m>(
 
 #[test]
 fn the_descriptions_can_say_the_feasible_sets_and_then_every_sample_works() {
-    let mut skill_room = SkillRoom::new(&Shelf);
-    let mut skills = skill_room.lend(&Shelf);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&Shelf).unwrap();
     for (index, text) in TRUE_REGIONS.iter().enumerate() {
         let skill = skills.get_mut(index).unwrap();
         let region = Region::parse(skill.domain(), text).unwrap();
@@ -466,9 +466,9 @@ fn learned<'m>(room: &'m mut SkillRoom, seed: u64, count: usize) -> Skills<'m> {
             ..LearnerConfig::default()
         },
     };
-    let mut skills = room.lend(&Shelf);
-    let (tasks, mut room) = (tasks(seed + 1000, 60), TrainingRoom::new(&training));
-    let learned = learn_from(&Shelf, &mut skills, &tasks, seed, &training, &mut room);
+    let mut skills = room.lend(&Shelf).unwrap();
+    let (tasks, mut room) = (tasks(seed + 1000, 60), TrainingRoom::new(training));
+    let learned = learn_from(&Shelf, &mut skills, &tasks, seed, &mut room);
     for learned in learned.unwrap() {
         let within = learned.situations <= count && learned.runs <= 250;
         assert!(learned.region && within, "{learned:?}");
@@ -483,7 +483,7 @@ fn the_skills_are_learned_from_a_dozen_tasks() {
     // the height alone explains all of them.
     let seeds = 0..15;
     let all_right = seeds.filter(|seed| {
-        let mut room = SkillRoom::new(&Shelf);
+        let mut room = SkillRoom::default();
         let [pick, place, later] = agreement(&learned(&mut room, *seed, 12), 10);
         assert!(pick > 0.99, "seed {seed}: {pick}");
         place > 0.98 && later > 0.99
@@ -494,7 +494,7 @@ fn the_skills_are_learned_from_a_dozen_tasks() {
 #[test]
 fn with_twice_as_many_tasks_nearly_every_sample_works() {
     for seed in 0..3 {
-        let mut skill_room = SkillRoom::new(&Shelf);
+        let mut skill_room = SkillRoom::default();
         let skills = learned(&mut skill_room, seed, 24);
         let shares = agreement(&skills, 10);
         assert!(shares.iter().all(|share| *share > 0.98), "{shares:?}");

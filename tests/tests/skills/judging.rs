@@ -29,8 +29,8 @@ fn observe<E: Describe>(environment: &E, skills: &mut Skills<'_>, tasks: &[Task]
             ..LearnerConfig::default()
         },
     };
-    let mut room = TrainingRoom::new(&training);
-    learn_from(environment, skills, tasks, 1, &training, &mut room).unwrap();
+    let mut room = TrainingRoom::new(training);
+    learn_from(environment, skills, tasks, 1, &mut room).unwrap();
 }
 
 /// That the skill at an index has this region is all that is known.
@@ -50,7 +50,7 @@ fn knowing<'m, E: Describe>(
     tasks: &[Task],
     (index, text): (usize, &str),
 ) -> Skills<'m> {
-    let mut skills = room.lend(environment);
+    let mut skills = room.lend(environment).unwrap();
     observe(environment, &mut skills, tasks, 10);
     know(&mut skills, index, text);
     skills
@@ -180,7 +180,7 @@ fn training_tasks() -> Vec<Task> {
 
 #[test]
 fn a_can_that_is_dumped_is_in_nobodys_way() {
-    let mut skill_room = SkillRoom::new(&ClutteredTable);
+    let mut skill_room = SkillRoom::default();
     let tasks = training_tasks();
     let mut skills = knowing(&mut skill_room, &ClutteredTable, &tasks, (0, FREE));
     // That a grasp cannot work is proven in boxes of some size.
@@ -205,9 +205,9 @@ fn a_can_that_is_dumped_is_in_nobodys_way() {
 
 #[test]
 fn what_was_hardly_seen_may_change_anything() {
-    let mut skill_room = SkillRoom::new(&ClutteredTable);
+    let mut skill_room = SkillRoom::default();
     for dumped in [0, 2, 3] {
-        let mut skills = skill_room.lend(&ClutteredTable);
+        let mut skills = skill_room.lend(&ClutteredTable).unwrap();
         observe(&ClutteredTable, &mut skills, &training_tasks(), dumped);
         know(&mut skills, 0, ALONE);
         let alone = (|can, others: &[_]| nearest(can, others) - 0.15, 0.0);
@@ -222,7 +222,7 @@ fn what_was_hardly_seen_may_change_anything() {
 
 #[test]
 fn what_is_placed_anywhere_is_not_expected_anywhere() {
-    let mut skill_room = SkillRoom::new(&ClutteredTablePlace);
+    let mut skill_room = SkillRoom::default();
     let tasks = recorded(&CLUTTERED_TABLE_PLACE, &ClutteredTablePlace, "train");
     // The cans of all tasks stand closer, but where they are placed nobody knows.
     let far = (0, "min(dist(can, other_can)) >= 2");
@@ -242,7 +242,7 @@ fn what_is_placed_anywhere_is_not_expected_anywhere() {
 
 #[test]
 fn what_is_always_the_same_afterwards_is_told_again() {
-    let mut skill_room = SkillRoom::new(&Cover);
+    let mut skill_room = SkillRoom::default();
     let tasks = recorded(&COVER, &Cover, "train");
     // Only what is held is placed. Where it is held varies, where it is not is one number.
     let held = (1, "block.grasp >= -0.5");
@@ -314,7 +314,7 @@ fn centred(ground: &GroundOperator, state: &State) -> f64 {
 
 #[test]
 fn a_place_counts_until_its_block_is_picked_again() {
-    let mut skill_room = SkillRoom::new(&Cover);
+    let mut skill_room = SkillRoom::default();
     let tasks = recorded(&COVER, &Cover, "train");
     let skills = knowing(&mut skill_room, &Cover, &tasks, ELSEWHERE);
     let (mut counts, mut rng) = ([0; 2], generator(1));
@@ -344,7 +344,7 @@ fn a_place_counts_until_its_block_is_picked_again() {
 
 #[test]
 fn the_same_target_again_with_and_without_the_block_in_between() {
-    let mut skill_room = SkillRoom::new(&Cover);
+    let mut skill_room = SkillRoom::default();
     let tasks = recorded(&COVER, &Cover, "train");
     let skills = knowing(&mut skill_room, &Cover, &tasks, ELSEWHERE);
     let judged = |steps: &[&[ObjectId]]| judged(&tasks[0], &skills, steps);

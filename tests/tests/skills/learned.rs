@@ -48,7 +48,7 @@ fn observe(skills: &mut Skills<'_>) {
             ..Default::default()
         },
     };
-    learn(skills, 1, &training, &mut TrainingRoom::new(&training)).unwrap();
+    learn(skills, 1, &mut TrainingRoom::new(training)).unwrap();
 }
 
 /// Plans with numbers that begin again with each skeleton.
@@ -84,14 +84,13 @@ const NODES: usize = 10_000;
 
 #[test]
 fn learned_skills_need_about_a_sample_per_step() {
-    let training = Training::default();
-    let mut training_room = TrainingRoom::new(&training);
+    let mut training_room = TrainingRoom::new(Training::default());
     let mut room = Room::new(NODES);
-    let mut skill_rooms = [SkillRoom::new(&ENVIRONMENT), SkillRoom::new(&ENVIRONMENT)];
+    let mut skill_rooms = [SkillRoom::default(), SkillRoom::default()];
     let mut texts = vec![];
     for skill_room in &mut skill_rooms {
-        let mut skills = skill_room.lend(&ENVIRONMENT);
-        let learned = learn(&mut skills, 3, &training, &mut training_room).unwrap();
+        let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
+        let learned = learn(&mut skills, 3, &mut training_room).unwrap();
         let (mut samples, mut length) = (0, 0);
         for task in tasks(77, 3..=4, 50) {
             let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
@@ -129,8 +128,8 @@ fn learned_skills_need_about_a_sample_per_step() {
 
 #[test]
 fn what_controllers_change_is_seen_while_learning() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
     observe(&mut skills);
     let task = &tasks(1, 2..=2, 1)[0];
     let (button, other) = (FIRST_BUTTON, ObjectId(FIRST_BUTTON.0 + 1));
@@ -171,8 +170,8 @@ fn what_controllers_change_is_seen_while_learning() {
 
 #[test]
 fn a_skill_that_nothing_is_known_of_is_the_original_sampler() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let skills = skill_room.lend(&ENVIRONMENT).unwrap();
     let mut room = Room::new(NODES);
     for task in tasks(5, 1..=2, 30) {
         let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
@@ -254,8 +253,8 @@ impl Guide for Checked<'_> {
 
 #[test]
 fn the_guide_keeps_what_may_work_and_nothing_else() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
     observe(&mut skills);
     // Nothing is known of placing, which depends on where the stick was grasped.
     let regions = [TRUE_REGIONS[0], TRUE_REGIONS[1], "", TRUE_REGIONS[3]];
@@ -312,8 +311,8 @@ proptest! {
         seed in 0u64..1000, order in Just(vec![0, 1, 2]).prop_shuffle(),
         places in prop::collection::vec(0usize..1000, 1..5),
     ) {
-        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-        let mut skills = skill_room.lend(&ENVIRONMENT);
+        let mut skill_room = SkillRoom::default();
+        let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
         know(&mut skills, &TRUE_REGIONS);
         let task = &tasks(seed, 3..=3, 1)[0];
         let other = Task { initial: permuted(&task.initial, &order), goal: task.goal.clone() };
@@ -375,7 +374,7 @@ fn end(planned: &Planned<'_, State>) -> (Conclusion, Spent, Vec<u16>) {
 #[test]
 fn wrong_regions_cost_no_plan() {
     let mut room = Room::new(NODES);
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
     let wrong: [[&str; 4]; 4] = [
         ["mu >= 0.9", "", "", ""],
         ["grasp.y >= 2.9", "button.y >= 3", "o >= 0.9", ""],
@@ -384,7 +383,7 @@ fn wrong_regions_cost_no_plan() {
     ];
     let (mut anew, mut solved) = (0, 0);
     for regions in wrong {
-        let mut skills = skill_room.lend(&ENVIRONMENT);
+        let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
         observe(&mut skills);
         know(&mut skills, &regions);
         for run in record::runs().step_by(7) {
@@ -406,8 +405,8 @@ fn wrong_regions_cost_no_plan() {
 
 #[test]
 fn draws_from_everything_reach_what_a_region_leaves_out() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
     know(&mut skills, &["mu <= 0.25", "", "", ""]);
     let task = &tasks(2, 1..=1, 1)[0];
     let grounding = Grounding::new(&ENVIRONMENT, task).unwrap();
@@ -453,8 +452,8 @@ fn with_button_at(y: f64) -> Task {
 
 #[test]
 fn why_there_is_no_plan() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
     observe(&mut skills);
     know(&mut skills, &TRUE_REGIONS);
     let task = with_button_at(5.97);

@@ -9,8 +9,7 @@ use critreg::plan::{Draw, Drawn, Sampler, Skeleton};
 use critreg::random::{generator, uniform_in};
 use critreg::region::Region;
 use critreg::skill::{
-    Changes, Describe, Description, Oracle, RegionSampler, Situation, Skill, Skills, Trainer,
-    Training,
+    Changes, Describe, Description, Oracle, RegionSampler, Situation, Skill, Skills, Training,
 };
 use critreg::task::{
     Controller, ControllerId, Environment, Failure, GroundOperator, Naming, ObjectId, ObjectType,
@@ -39,11 +38,12 @@ const TRAINING: Training = Training {
 
 /// The situations in which the skill at an index is tried.
 fn situations<E: Describe>(environment: &E, index: usize, tasks: &[Task]) -> Vec<Situation> {
-    let mut skill_room = SkillRoom::new(environment);
-    let mut skills = skill_room.lend(environment);
-    let mut room = TrainingRoom::new(&TRAINING);
-    let mut trainer = Trainer::new(environment, TRAINING, room.lend());
-    let learned = trainer.learn(&mut skills, index, tasks);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(environment).unwrap();
+    let mut room = TrainingRoom::new(TRAINING);
+    let learned = room
+        .trainer(environment, 0)
+        .learn(&mut skills, index, tasks);
     let count = learned.unwrap().situations;
     let all = room.lend().situations[..count].iter();
     all.map(|situation| situation.clone().unwrap()).collect()
@@ -191,8 +191,8 @@ fn nothing_else_is_handled_on_the_way() {
 
 #[test]
 fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
-    let mut skill_room = SkillRoom::new(&ClutteredTable);
-    let mut skills = skill_room.lend(&ClutteredTable);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ClutteredTable).unwrap();
     let skill = skills.get_mut(0).unwrap();
     let region = Region::parse(skill.domain(), "sx <= 0.25 and sy >= 0.5").unwrap();
     skill.set_region(Some(region));
@@ -229,8 +229,8 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
 
 #[test]
 fn a_situation_is_tried_with_parameters_that_are_completed() {
-    let mut skill_room = SkillRoom::new(&ClutteredTable);
-    let mut skills = skill_room.lend(&ClutteredTable);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ClutteredTable).unwrap();
     let mut oracle = Oracle::new(&ClutteredTable, &mut skills);
     let (mut rng, mut counts) = (generator(1), [0; 2]);
     for situation in situations(&ClutteredTable, 0, &cluttered_tasks(5)) {

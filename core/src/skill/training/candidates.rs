@@ -32,10 +32,10 @@ impl Candidate {
     }
 }
 
-/// Lists the candidates of a skill in the order of the tasks, as many as there is room for,
-/// with the numbers of their instances and parameters of the original sampler; `direct`
-/// leaves out those whose operator is not applicable in the initial state. Returns how many
-/// there are.
+/// Lists the candidates of a skill in the order of the tasks, so many at most and as many as
+/// there is room for, with the numbers of their instances and parameters of the original
+/// sampler; `direct` leaves out those whose operator is not applicable in the initial
+/// state. Returns how many there are.
 ///
 /// # Errors
 /// [`Error::CapacityExceeded`] if the atoms or ground operators of a task find no room.
@@ -43,13 +43,14 @@ pub(super) fn list<E: Describe>(
     environment: &E,
     skill: &Skill,
     tasks: &[Task],
-    direct: bool,
+    (most, direct): (usize, bool),
     memory: &mut TrainingMemory<'_>,
 ) -> Result<usize, Error> {
     let operators = &mut *memory.operators;
+    let most = most.min(memory.candidates.len());
     let mut list = List {
         skill,
-        candidates: memory.candidates,
+        candidates: memory.candidates.get_mut(..most).unwrap_or_default(),
         proposals: memory.proposals,
         instances: memory.instances,
         count: 0,

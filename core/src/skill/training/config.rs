@@ -1,6 +1,7 @@
 //! How much is tried to learn a skill, and what it took.
 
 use crate::learn::version_space::Config;
+use crate::skill::tuning::CANDIDATES;
 
 /// How much is tried to learn a skill. The defaults suit an environment whose tasks cost
 /// little to make; they are chosen with `report -- table`.
@@ -31,6 +32,14 @@ impl Default for Training {
             situations: 20,
             states: 150,
         }
+    }
+}
+
+impl Training {
+    /// Situations to choose from: the more there are, the more those that are chosen
+    /// differ.
+    pub(super) fn candidates(&self) -> usize {
+        CANDIDATES * self.situations.max(self.states)
     }
 }
 

@@ -13,8 +13,7 @@ use heapless::VecView;
 pub struct TrainingMemory<'m> {
     /// The situations that a skill is tried in.
     pub situations: &'m mut [Option<Situation>],
-    /// Situations to choose from; the more there are, the more those that are chosen
-    /// differ.
+    /// Situations to choose from: four for each.
     pub candidates: &'m mut [Candidate],
     /// One for each candidate.
     pub proposals: &'m mut [Theta],

@@ -185,9 +185,13 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
         criteria: Criteria,
     ) -> Result<usize, Error> {
         let (environment, memory) = (self.environment, &mut self.memory);
-        let mut count = candidates::list(environment, skill, tasks, criteria.direct, memory)?;
+        let most = self.training.candidates();
+        let list = |direct, memory: &mut _| {
+            candidates::list(environment, skill, tasks, (most, direct), memory)
+        };
+        let mut count = list(criteria.direct, memory)?;
         if count < room && criteria.direct {
-            count = candidates::list(environment, skill, tasks, false, memory)?;
+            count = list(false, memory)?;
         }
         if criteria.differing {
             select_differing(skill, memory, count, room)?;
