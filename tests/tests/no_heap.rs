@@ -122,8 +122,11 @@ fn learning_skills_and_planning_with_them() {
 mod c {
     use super::{calls, instances};
     use critreg_ffi::{
-        learner::*, learning::*, planner::*, planner_callbacks::*, planner_config::*, planning::*,
-        region::*, rng::*, sampling::*, saving::*, stick_button::*, stick_button_world::*,
+        boundary::rng::*,
+        learner::{learning::*, making::*, saving::*},
+        planner::{callbacks::*, config::*, making::*, planning::*},
+        region::{sampling::*, writing::*},
+        stick_button::{environment::*, world::*},
     };
     use std::ffi::{CStr, c_char};
     use std::mem::zeroed;

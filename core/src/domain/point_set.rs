@@ -1,7 +1,8 @@
 //! Sets of points: what a region or learner speaks about.
 
-use super::expression::Node;
-use super::schema::{Base, Domain, MAX_POINTS, Point, PoseSlots};
+use super::declarations::{Base, Point, PoseSlots};
+use super::node::Node;
+use super::schema::{Domain, MAX_POINTS};
 
 /// A set of points of a domain, with the points they are placed in. Those that move
 /// with a parameter are kept apart.
@@ -12,6 +13,12 @@ pub struct PointSet {
 }
 
 impl PointSet {
+    /// No points.
+    pub(crate) const EMPTY: PointSet = PointSet {
+        fixed: Bits::NONE,
+        sampled: Bits::NONE,
+    };
+
     /// All points of a domain.
     pub fn all(domain: &Domain<'_>) -> PointSet {
         (0u8..)
@@ -107,6 +114,8 @@ pub(super) struct Bits([u32; 2]);
 const _: () = assert!(MAX_POINTS <= 64, "there is a bit per point");
 
 impl Bits {
+    const NONE: Bits = Bits([0; 2]);
+
     fn insert(&mut self, point: u8) {
         if let Some(word) = self.0.get_mut(usize::from(point / 32)) {
             *word |= 1 << (point % 32);

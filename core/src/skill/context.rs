@@ -39,7 +39,7 @@ impl<E: Environment> Context<'_, E> {
 
     /// The predicates that are about objects of a type.
     fn narrowing(&self, kind: TypeId) -> impl Iterator<Item = &'static Predicate<E>> {
-        let all = self.environment.predicates();
+        let all = E::PREDICATES;
         let named = self.members.iter();
         let named = named.filter_map(|id| all.get(usize::from(id.0)));
         named.filter(move |predicate| predicate.arguments == [kind])

@@ -6,7 +6,7 @@ use super::skills::{Skill, Skills};
 use super::training::{Candidate, Situation, TrainingMemory};
 use super::tuning::CANDIDATES;
 use crate::error::Error;
-use crate::learn::version_space::{Capacity, Memory};
+use crate::learn::{Capacity, Memory};
 use crate::plan;
 use crate::region::Theta;
 use crate::task::{GroundOperator, MAX_STATE_VALUES, State};

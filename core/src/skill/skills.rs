@@ -38,7 +38,7 @@ impl Skill {
         let arguments = controller.arguments;
         Ok(Skill {
             description: *description,
-            binding: RoleBinding::new(&domain, environment.types(), arguments, later)?,
+            binding: RoleBinding::new(&domain, E::TYPES, arguments, later)?,
             domain,
             region: None,
             reads: 0,
@@ -114,7 +114,7 @@ impl<'m> Skills<'m> {
         skills: &'m mut [Option<Skill>],
         changes: &'m mut [Changes],
     ) -> Result<Self, Error> {
-        let (descriptions, controllers) = (environment.descriptions(), environment.controllers());
+        let (descriptions, controllers) = (environment.descriptions(), E::CONTROLLERS);
         let skills = skills.get_mut(..descriptions.len());
         let skills = skills.ok_or(Error::CapacityExceeded("skills"))?;
         let changes = changes.get_mut(..controllers.len());

@@ -5,27 +5,34 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 20] = [
-    "status.rs",
-    "memory.rs",
-    "precision.rs",
-    "report.rs",
-    "config.rs",
-    "learner.rs",
-    "learning.rs",
-    "saving.rs",
-    "region.rs",
-    "constraint.rs",
-    "sampling.rs",
-    "rng.rs",
-    "planner_config.rs",
-    "planner.rs",
-    "planner_callbacks.rs",
-    "planning.rs",
-    "planner_metrics.rs",
+const SOURCES: [&str; 27] = [
+    "boundary/status.rs",
+    "boundary/limits.rs",
+    "boundary/precision.rs",
+    "learner/report.rs",
+    "learner/config.rs",
+    "learner/handle.rs",
+    "learner/making.rs",
+    "learner/learning.rs",
+    "learner/inspection.rs",
+    "learner/saving.rs",
+    "region/handle.rs",
+    "region/making.rs",
+    "region/writing.rs",
+    "region/constraint.rs",
+    "region/sampling.rs",
+    "boundary/rng.rs",
+    "planner/config.rs",
+    "planner/handle.rs",
+    "planner/making.rs",
+    "planner/callbacks.rs",
+    "planner/planning.rs",
+    "planner/step.rs",
+    "planner/metrics.rs",
+    "planner/inspection.rs",
     "check.rs",
-    "stick_button.rs",
-    "stick_button_world.rs",
+    "stick_button/environment.rs",
+    "stick_button/world.rs",
 ];
 
 fn main() {
@@ -65,13 +72,29 @@ fn the_header_is_up_to_date() {
     );
 }
 
+/// All files below a directory.
+#[cfg(test)]
+fn files_below(directory: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(directory).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files_below(&path, found);
+        } else {
+            found.push(path);
+        }
+    }
+}
+
 #[test]
 fn no_file_of_the_interface_is_left_out() {
-    for entry in fs::read_dir(file("ffi/src")).unwrap() {
-        let path = entry.unwrap().path();
+    let (top, mut files) = (file("ffi/src"), Vec::new());
+    files_below(&top, &mut files);
+    assert!(files.len() > SOURCES.len());
+    for path in files {
         let exports = fs::read_to_string(&path).unwrap().contains("no_mangle");
-        let name = path.file_name().unwrap().to_str().unwrap();
-        assert!(!exports || SOURCES.contains(&name), "{name} is left out");
+        let name = path.strip_prefix(&top).unwrap();
+        let listed = SOURCES.iter().any(|source| Path::new(source) == name);
+        assert!(!exports || listed, "{} is left out", name.display());
     }
 }
 
@@ -97,8 +120,8 @@ fn everything_is_documented() {
 #[test]
 #[cfg(target_pointer_width = "64")]
 fn the_memory_of_a_planner_is_true() {
-    use critreg_ffi::planner::critreg_planner_size;
-    use critreg_ffi::planner_config::critreg_planner_config_init;
+    use critreg_ffi::planner::config::critreg_planner_config_init;
+    use critreg_ffi::planner::making::critreg_planner_size;
     let size = |state_len: u32| {
         let mut config = std::mem::MaybeUninit::uninit();
         // SAFETY: the pointer is to a variable of the size told, which is
@@ -125,8 +148,10 @@ fn the_memory_of_a_planner_is_true() {
 #[test]
 #[cfg(target_pointer_width = "64")]
 fn the_table_of_memory_is_true() {
-    use critreg_ffi::config::{CRITREG_ALGORITHM1, CRITREG_VERSION_SPACE, critreg_config_init};
-    use critreg_ffi::learner::critreg_learner_size;
+    use critreg_ffi::learner::config::{
+        CRITREG_ALGORITHM1, CRITREG_VERSION_SPACE, critreg_config_init,
+    };
+    use critreg_ffi::learner::making::critreg_learner_size;
     let size = |learner: u32, hypotheses: usize, observations: usize| {
         let mut config = std::mem::MaybeUninit::uninit();
         // SAFETY: the pointer is to a variable of the size told, which is

@@ -2,6 +2,7 @@
 //! header declares and nothing else, and can be used from several files.
 
 use crate::support::{BOTH, compile, library_directory, root, run};
+use critreg::env::stick_button::StickButton;
 use critreg::plan::{Conclusion, Config, Planner, Unguided};
 use critreg::random::generator;
 use critreg::task::Environment;
@@ -115,7 +116,7 @@ fn planned_by_the_core(seed: u64) -> String {
         let name = ENVIRONMENT.operator(ground).unwrap().name;
         write!(line, " ({name}").unwrap();
         for object in ground.objects.as_slice() {
-            let name = task.initial.name(ENVIRONMENT.types(), *object).unwrap();
+            let name = task.initial.name(StickButton::TYPES, *object).unwrap();
             write!(line, " {name}").unwrap();
         }
         line.push(')');
@@ -176,7 +177,7 @@ fn no_function_is_left_out() {
 /// The generator that C copies about is the generator of the library.
 #[test]
 fn the_stream_of_random_numbers_is_that_of_the_core() {
-    use critreg_ffi::rng::{critreg_rng_seed, critreg_rng_uniform};
+    use critreg_ffi::boundary::rng::{critreg_rng_seed, critreg_rng_uniform};
     let mut expected = critreg::random::generator(7);
     let mut rng = critreg_rng_seed(7);
     for _ in 0..100 {
@@ -191,7 +192,7 @@ fn the_stream_of_random_numbers_is_that_of_the_core() {
 /// What C is told about the environment is the environment of the library.
 #[test]
 fn the_built_in_domain_is_that_of_the_core() {
-    use critreg_ffi::stick_button::critreg_stick_button_domain;
+    use critreg_ffi::stick_button::environment::critreg_stick_button_domain;
     // SAFETY: it is a static text that ends with NUL.
     let text = unsafe { std::ffi::CStr::from_ptr(critreg_stick_button_domain()) };
     let expected = critreg::env::stick_button::StickButton::PICK_DOMAIN;

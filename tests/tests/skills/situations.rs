@@ -4,7 +4,7 @@ use critreg::Error;
 use critreg::env::cluttered_table::{ClutteredTable, GRASP, cans};
 use critreg::env::cover::{BLOCKS, Block, Cover, ROBOT, TARGETS, Target};
 use critreg::learn::Outcome;
-use critreg::learn::version_space::Config as LearnerConfig;
+use critreg::learn::version_space::{Config as LearnerConfig, Tuning};
 use critreg::plan::{Draw, Drawn, Sampler, Skeleton};
 use critreg::random::{generator, uniform_in};
 use critreg::region::Region;
@@ -33,6 +33,7 @@ const TRAINING: Training = Training {
         noise: 0.0,
         slack: 0.0,
         confidence: 0.95,
+        tuning: &Tuning::CHOSEN,
     },
 };
 
@@ -260,33 +261,21 @@ struct Described(&'static [Description]);
 impl Environment for Described {
     type Action = ();
 
-    fn types(&self) -> &'static [ObjectType] {
-        &[ObjectType {
-            name: "hand",
-            attributes: &[],
-            naming: Naming::Single("hand"),
-        }]
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &[]
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        const CONTROLLER: Controller<Described> = Controller {
-            name: "Wave",
-            arguments: &[TypeId(0)],
-            parameters: &[[0.0, 1.0]; 2],
-            initiable: always,
-            policy: |_, _, _, _| (),
-            terminal: Terminal::FirstAction,
-        };
-        &[CONTROLLER]
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &[]
-    }
+    const TYPES: &'static [ObjectType] = &[ObjectType {
+        name: "hand",
+        attributes: &[],
+        naming: Naming::Single("hand"),
+    }];
+    const PREDICATES: &'static [Predicate<Self>] = &[];
+    const CONTROLLERS: &'static [Controller<Self>] = &[Controller {
+        name: "Wave",
+        arguments: &[TypeId(0)],
+        parameters: &[[0.0, 1.0]; 2],
+        initiable: always,
+        policy: |_, _, _, _| (),
+        terminal: Terminal::FirstAction,
+    }];
+    const OPERATORS: &'static [Operator<'static>] = &[];
 
     fn simulate(&self, _: &mut State, (): ()) -> Result<(), Failure> {
         Ok(())

@@ -38,12 +38,11 @@ impl<E: Describe> RegionGuide<'_, E> {
             out.write_str(" after ")?;
             self.write_controller(&own, out)?;
         }
-        let environment = self.knowledge.environment;
         let mut out = Named {
             skill: None,
-            types: environment.types(),
+            types: E::TYPES,
             context: Context {
-                environment,
+                environment: self.knowledge.environment,
                 state: self.initial,
                 objects: own.objects.as_slice(),
                 later_objects: later.objects.as_slice(),
@@ -89,8 +88,7 @@ impl<E: Describe> RegionGuide<'_, E> {
         let mut before = "(";
         for object in own.objects.as_slice() {
             out.write_str(before)?;
-            let types = self.knowledge.environment.types();
-            let name = self.initial.name(types, *object).ok_or(fmt::Error)?;
+            let name = self.initial.name(E::TYPES, *object).ok_or(fmt::Error)?;
             name.write(out)?;
             before = ", ";
         }

@@ -57,9 +57,9 @@ pub(super) fn list<E: Describe>(
     };
     let about = skill.description();
     for (index, task) in (0..).zip(tasks) {
-        let atoms = Atoms::new(environment, &task.initial)?;
+        let atoms = Atoms::new::<E>(&task.initial)?;
         operators.clear();
-        ground_operators(environment.operators(), &task.initial, &atoms, operators)?;
+        ground_operators(E::OPERATORS, &task.initial, &atoms, operators)?;
         let initial = atoms.abstract_state(environment, &task.initial);
         let own = of_controller(environment, operators, about.controller);
         for (own, objects) in own.filter(|(own, _)| !direct || own.is_applicable(initial)) {

@@ -1,6 +1,6 @@
 //! How much is tried to learn a skill, and what it took.
 
-use crate::learn::version_space::Config;
+use crate::learn::Config;
 use crate::skill::tuning::CANDIDATES;
 
 /// How much is tried to learn a skill. The defaults suit an environment whose tasks cost

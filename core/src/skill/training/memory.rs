@@ -2,7 +2,7 @@
 
 use super::candidates::Candidate;
 use super::situation::Situation;
-use crate::learn::version_space::{Capacity, Memory};
+use crate::learn::{Capacity, Memory};
 use crate::plan;
 use crate::region::Theta;
 use crate::task::{GroundOperator, State};

@@ -42,9 +42,9 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
         candidate: Candidate,
         operators: &'o mut VecView<GroundOperator>,
     ) -> Result<Self, Error> {
-        let atoms = Atoms::new(environment, &task.initial)?;
+        let atoms = Atoms::new::<E>(&task.initial)?;
         operators.clear();
-        ground_operators(environment.operators(), &task.initial, &atoms, operators)?;
+        ground_operators(E::OPERATORS, &task.initial, &atoms, operators)?;
         operators.retain(|ground| {
             let own = controller_objects(environment, ground);
             own.is_ok_and(|own| own.as_slice().iter().all(|object| candidate.has(*object)))
