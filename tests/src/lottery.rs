@@ -136,9 +136,7 @@ impl Environment for Lottery {
 }
 
 impl Describe for Lottery {
-    fn descriptions(&self) -> &'static [Description] {
-        &DESCRIPTIONS
-    }
+    const DESCRIPTIONS: &'static [Description] = &DESCRIPTIONS;
 }
 
 /// A number in [0, 1) that depends on every bit, and on none in a way that can be told:

@@ -100,7 +100,7 @@ fn learning_skills_and_planning_with_them() {
     let (calls, conclusion) = calls(|| -> Result<Conclusion, critreg::Error> {
         let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
         let mut trainer = room.trainer(&ENVIRONMENT, 0);
-        for index in 0..ENVIRONMENT.descriptions().len() {
+        for index in 0..StickButton::DESCRIPTIONS.len() {
             trainer.learn(&mut skills, index, &training_tasks)?;
         }
         let grounding = Grounding::new(&ENVIRONMENT, &task)?;

@@ -21,5 +21,5 @@ pub struct Description {
 pub trait Describe: Environment {
     /// The descriptions; those of single controllers first, in the order in which they
     /// are learned.
-    fn descriptions(&self) -> &'static [Description];
+    const DESCRIPTIONS: &'static [Description];
 }

@@ -114,13 +114,12 @@ impl<'m> Skills<'m> {
         skills: &'m mut [Option<Skill>],
         changes: &'m mut [Changes],
     ) -> Result<Self, Error> {
-        let (descriptions, controllers) = (environment.descriptions(), E::CONTROLLERS);
-        let skills = skills.get_mut(..descriptions.len());
+        let skills = skills.get_mut(..E::DESCRIPTIONS.len());
         let skills = skills.ok_or(Error::CapacityExceeded("skills"))?;
-        let changes = changes.get_mut(..controllers.len());
+        let changes = changes.get_mut(..E::CONTROLLERS.len());
         let changes = changes.ok_or(Error::CapacityExceeded("changes of controllers"))?;
         changes.fill(Changes::default());
-        for (skill, description) in skills.iter_mut().zip(descriptions) {
+        for (skill, description) in skills.iter_mut().zip(E::DESCRIPTIONS) {
             *skill = Some(Skill::new(environment, description)?);
         }
         Ok(Skills { skills, changes })

@@ -100,7 +100,7 @@ pub fn learn_from<E: Describe>(
     room: &mut TrainingRoom,
 ) -> Result<Vec<Learned>, Error> {
     let mut trainer = room.trainer(environment, seed);
-    let all = 0..environment.descriptions().len();
+    let all = 0..E::DESCRIPTIONS.len();
     all.map(|index| trainer.learn(skills, index, tasks))
         .collect()
 }

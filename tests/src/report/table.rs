@@ -148,7 +148,7 @@ fn version_space(seeds: u64) {
     };
     let mut originals = BUTTONS.map(|buttons| name(buttons, "original"));
     let mut rows = BUTTONS.map(|buttons| name(buttons, "learned, version_space"));
-    let descriptions = ENVIRONMENT.descriptions();
+    let descriptions = StickButton::DESCRIPTIONS;
     let mut calls = vec![(0, 0); descriptions.len()];
     let mut room = Room::new(NODES);
     let mut training_room = TrainingRoom::new(Training::default());

@@ -518,5 +518,5 @@ fn no_parameters_work_means_none_does() {
         let pressed = try_operator(&ENVIRONMENT, press, &objects, &[], &picked.state);
         assert!(!(picked.is_feasible() && pressed.is_feasible()), "{mu}");
     }
-    assert_eq!(ENVIRONMENT.descriptions().len(), TRUE_REGIONS.len());
+    assert_eq!(StickButton::DESCRIPTIONS.len(), TRUE_REGIONS.len());
 }

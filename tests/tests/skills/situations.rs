@@ -255,10 +255,16 @@ fn a_situation_is_tried_with_parameters_that_are_completed() {
 
 // Which texts
 
-/// A world in which nothing happens, and of which this is said.
-struct Described(&'static [Description]);
+/// A world in which nothing happens, and of which one of these things is said.
+struct Described<const CASE: usize>;
 
-impl Environment for Described {
+const FITS: usize = 0;
+const TOO_MANY_PARAMETERS: usize = 1;
+const NOBODYS: usize = 2;
+const NOBODY_LATER: usize = 3;
+const NO_TEXT: usize = 4;
+
+impl<const CASE: usize> Environment for Described<CASE> {
     type Action = ();
 
     const TYPES: &'static [ObjectType] = &[ObjectType {
@@ -282,11 +288,18 @@ impl Environment for Described {
     }
 }
 
-impl Describe for Described {
-    fn descriptions(&self) -> &'static [Description] {
-        self.0
-    }
+impl<const CASE: usize> Describe for Described<CASE> {
+    const DESCRIPTIONS: &'static [Description] = match CASE {
+        FITS => &[about([0, 0], TWO)],
+        TOO_MANY_PARAMETERS => &[about([0, 0], TWO), about([0, 0], THREE)],
+        NOBODYS => &[about([1, 0], TWO)],
+        NOBODY_LATER => &[about([0, 1], TWO)],
+        _ => &[about([0, 0], "parameter a in [0,")],
+    };
 }
+
+const TWO: &str = "parameter a in [0, 1] parameter b in [0, 1]";
+const THREE: &str = "parameter a in [0, 1] parameter b in [0, 1] parameter c in [0, 1]";
 
 const fn about(controllers: [u8; 2], text: &'static str) -> Description {
     let [controller, later] = controllers;
@@ -298,26 +311,26 @@ const fn about(controllers: [u8; 2], text: &'static str) -> Description {
     }
 }
 
+/// What comes of skills of a case, with room for so many skills and controllers.
+fn made<const CASE: usize>(room: [usize; 2]) -> Result<(), Error> {
+    let mut skills: Vec<Option<Skill>> = (0..room[0]).map(|_| None).collect();
+    let mut changes = vec![Changes::default(); room[1]];
+    Skills::new(&Described::<CASE>, &mut skills, &mut changes).map(|_| ())
+}
+
 #[test]
 fn texts_that_do_not_fit_their_controllers_are_refused() {
-    const TWO: &str = "parameter a in [0, 1] parameter b in [0, 1]";
-    const THREE: &str = "parameter a in [0, 1] parameter b in [0, 1] parameter c in [0, 1]";
-    let make = |descriptions: &'static [Description], room: [usize; 2]| {
-        let mut skills: Vec<Option<Skill>> = (0..room[0]).map(|_| None).collect();
-        let mut changes = vec![Changes::default(); room[1]];
-        Skills::new(&Described(descriptions), &mut skills, &mut changes).map(|_| ())
-    };
-    static FITS: [Description; 1] = [about([0, 0], TWO)];
-    static TOO_MANY: [Description; 2] = [about([0, 0], TWO), about([0, 0], THREE)];
-    static NOBODYS: [Description; 1] = [about([1, 0], TWO)];
-    static NOBODY_LATER: [Description; 1] = [about([0, 1], TWO)];
-    static NO_TEXT: [Description; 1] = [about([0, 0], "parameter a in [0,")];
-    assert_eq!(make(&FITS, [1, 1]), Ok(()));
-    for wrong in [&TOO_MANY[..], &NOBODYS, &NOBODY_LATER] {
-        assert!(matches!(make(wrong, [2, 1]), Err(Error::Mismatch(_))));
+    assert_eq!(made::<FITS>([1, 1]), Ok(()));
+    for wrong in [
+        made::<TOO_MANY_PARAMETERS>([2, 1]),
+        made::<NOBODYS>([2, 1]),
+        made::<NOBODY_LATER>([2, 1]),
+    ] {
+        assert!(matches!(wrong, Err(Error::Mismatch(_))));
     }
-    assert!(matches!(make(&NO_TEXT, [1, 1]), Err(Error::Syntax(_))));
+    assert!(matches!(made::<NO_TEXT>([1, 1]), Err(Error::Syntax(_))));
     for room in [[0, 1], [1, 0]] {
-        assert!(matches!(make(&FITS, room), Err(Error::CapacityExceeded(_))));
+        let refused = made::<FITS>(room);
+        assert!(matches!(refused, Err(Error::CapacityExceeded(_))));
     }
 }

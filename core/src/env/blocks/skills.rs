@@ -11,7 +11,5 @@ static DESCRIPTIONS: [Description; 1] = [Description {
 }];
 
 impl Describe for Blocks {
-    fn descriptions(&self) -> &'static [Description] {
-        &DESCRIPTIONS
-    }
+    const DESCRIPTIONS: &'static [Description] = &DESCRIPTIONS;
 }

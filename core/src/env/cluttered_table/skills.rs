@@ -32,13 +32,9 @@ static WITH_PLACE: [Description; 2] = [
 ];
 
 impl Describe for ClutteredTable {
-    fn descriptions(&self) -> &'static [Description] {
-        &WITH_DUMP
-    }
+    const DESCRIPTIONS: &'static [Description] = &WITH_DUMP;
 }
 
 impl Describe for ClutteredTablePlace {
-    fn descriptions(&self) -> &'static [Description] {
-        &WITH_PLACE
-    }
+    const DESCRIPTIONS: &'static [Description] = &WITH_PLACE;
 }

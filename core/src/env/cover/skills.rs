@@ -70,19 +70,13 @@ static REGIONAL_BUMPY_COVER: [Description; 4] = [
 ];
 
 impl Describe for Cover {
-    fn descriptions(&self) -> &'static [Description] {
-        &COVER
-    }
+    const DESCRIPTIONS: &'static [Description] = &COVER;
 }
 
 impl Describe for CoverRegrasp {
-    fn descriptions(&self) -> &'static [Description] {
-        &COVER_REGRASP
-    }
+    const DESCRIPTIONS: &'static [Description] = &COVER_REGRASP;
 }
 
 impl Describe for RegionalBumpyCover {
-    fn descriptions(&self) -> &'static [Description] {
-        &REGIONAL_BUMPY_COVER
-    }
+    const DESCRIPTIONS: &'static [Description] = &REGIONAL_BUMPY_COVER;
 }

@@ -32,9 +32,7 @@ static DESCRIPTIONS: [Description; 3] = [
 ];
 
 impl Describe for Shelf {
-    fn descriptions(&self) -> &'static [Description] {
-        &DESCRIPTIONS
-    }
+    const DESCRIPTIONS: &'static [Description] = &DESCRIPTIONS;
 }
 
 #[cfg(test)]

@@ -38,9 +38,7 @@ static DESCRIPTIONS: [Description; 4] = [
 ];
 
 impl Describe for StickButton {
-    fn descriptions(&self) -> &'static [Description] {
-        &DESCRIPTIONS
-    }
+    const DESCRIPTIONS: &'static [Description] = &DESCRIPTIONS;
 }
 
 #[cfg(test)]
