@@ -18,6 +18,11 @@ macro_rules! memory {
         }
 
         impl<R> Memory<'_, R> {
+            /// The same memory, lent for a shorter time.
+            pub fn reborrow(&mut self) -> Memory<'_, R> {
+                Memory { $($name: self.$name,)* }
+            }
+
             /// As much of each table as a capacity needs.
             pub(super) fn cut(self, capacity: Capacity) -> Result<Self, $crate::Error> {
                 use $crate::table::cut;
