@@ -42,6 +42,10 @@ impl<'b> Writer<'b> {
         self.bytes(&value.to_le_bytes());
     }
 
+    pub(crate) fn i32(&mut self, value: i32) {
+        self.bytes(&value.to_le_bytes());
+    }
+
     pub(crate) fn u64(&mut self, value: u64) {
         self.bytes(&value.to_le_bytes());
     }
@@ -111,6 +115,10 @@ impl<'b> Reader<'b> {
 
     pub(crate) fn u32(&mut self) -> Result<u32, Error> {
         self.array().map(u32::from_le_bytes)
+    }
+
+    pub(crate) fn i32(&mut self) -> Result<i32, Error> {
+        self.array().map(i32::from_le_bytes)
     }
 
     pub(crate) fn u64(&mut self) -> Result<u64, Error> {

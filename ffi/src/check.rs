@@ -1,12 +1,12 @@
 //! What is wrong with a text, in words.
 
-use crate::memory::CRITREG_DOMAIN_TEXT_MAX;
-use crate::planner::read_texts;
-use crate::planner_layout::MAX_FACTS;
-use crate::pointer;
-use crate::region::REGION_TEXT_MAX;
-use crate::status::{Failure, Fallible, critreg_status, status_of};
-use crate::text;
+use crate::boundary::limits::CRITREG_DOMAIN_TEXT_MAX;
+use crate::boundary::pointer;
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::boundary::text;
+use crate::planner::layout::MAX_FACTS;
+use crate::planner::making::read_texts;
+use crate::region::making::REGION_TEXT_MAX;
 use core::ffi::c_char;
 use core::fmt;
 use critreg_core::domain::Domain;

@@ -6,35 +6,22 @@
 //! does three things: it checks what comes from C, it lays the parts of a handle
 //! into the caller's memory, and it calls the safe core.
 //!
-//! | module | content |
-//! |---|---|
-//! | [`status`] | status codes and the words for them |
-//! | [`memory`] | how much memory a handle takes |
-//! | [`config`] | what a learner is told to do |
-//! | [`precision`] | what numbers are computed with |
-//! | [`report`] | how learning went |
-//! | [`learner`] | a learner in the caller's memory |
-//! | [`learning`] | asking and telling |
-//! | [`saving`] | saving a run and resuming it |
-//! | [`region`] | regions in memory, as text and as bytes |
-//! | [`constraint`] | the constraints of a region, one by one |
-//! | [`sampling`] | what a region says about an instance: samples |
-//! | [`planner_config`] | what a planner is told to do |
-//! | [`planner`] | a planner in the caller's memory |
-//! | [`planner_callbacks`] | what a planner asks the program |
-//! | [`planning`], [`planner_metrics`] | planning, the plan, what it cost |
-//! | [`rng`] | random numbers |
-//! | [`check`] | what is wrong with a text, in words |
-//! | [`stick_button`], [`stick_button_world`] | the built-in environment, to learn and to plan in |
+//! | room | content | knows only |
+//! |---|---|---|
+//! | [`boundary`] | what comes from C and what goes back: pointers, statuses, structs, text, memory | the core |
+//! | [`region`] | regions: as text and as bytes, their constraints, samples | `boundary` |
+//! | [`learner`] | learners: configuration, asking and telling, the report, saving | `boundary`, `region` |
+//! | [`planner`] | the planner: configuration, callbacks, plans, what they cost | `boundary` |
+//! | [`stick_button`] | the built-in environment, to learn and to plan in | `boundary`, `learner`, `planner` |
+//! | [`check`] | what is wrong with a text, in words | the above |
 //!
 //! # Why it is sound
 //! - The parts of a handle are cut out of the caller's memory without overlap (the
-//!   `memory`, `layout` and `planner_layout` modules compute their places and nothing
-//!   else does), so no reference to one covers another. `'static` in their types
-//!   means: as long as the caller lends the memory, which the header makes the
-//!   caller's promise.
+//!   `layout` of a room computes their places with [`boundary::memory`], and nothing else
+//!   does), so no reference to one covers another. `'static` in their types means: as long
+//!   as the caller lends the memory, which the header makes the caller's promise.
 //! - All that a learner or planner changes is behind a `RefCell`. A callback that calls back
-//!   finds it borrowed and gets [`status::CRITREG_BUSY`].
+//!   finds it borrowed and gets [`boundary::status::CRITREG_BUSY`].
 //! - A handle is used only if it carries its seal, which depends on its address:
 //!   memory that is no handle, was retired or was moved is refused.
 //! - Nothing here panics. If something did, `extern "C"` would abort instead of
@@ -58,35 +45,12 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-mod any;
+pub mod boundary;
 pub mod check;
-pub mod config;
-pub mod constraint;
-mod handle;
-mod layout;
 pub mod learner;
-pub mod learning;
-pub mod memory;
 pub mod planner;
-pub mod planner_callbacks;
-pub mod planner_config;
-mod planner_layout;
-pub mod planner_metrics;
-mod planner_names;
-mod planner_world;
-pub mod planning;
-mod pointer;
-pub mod precision;
 pub mod region;
-pub mod report;
-pub mod rng;
-pub mod sampling;
-pub mod saving;
-pub mod status;
 pub mod stick_button;
-pub mod stick_button_world;
-mod structs;
-mod text;
 
 #[cfg(all(feature = "halt", not(feature = "std"), not(test), panic = "unwind"))]
 compile_error!("there is nothing to unwind into: build with panic = \"abort\"");

@@ -1,5 +1,5 @@
 /* Plans tasks of the built-in environment with its original sampler and prints what
- * came of it: tests/tests/c_abi.rs compares that with the planner of the core. */
+ * came of it: tests/tests/c_interface/abi.rs compares that with the planner of the core. */
 #include "../../c_examples/stick_button.h"
 #include "expect.h"
 

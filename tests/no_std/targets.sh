@@ -1,5 +1,7 @@
 #!/bin/sh
-# Builds every cell of the README's table of features and targets.
+# Checks every cell of the README's table of features and targets. A check finds what can
+# be missing there: a type, a feature, a panic handler. That it links is the matter of
+# link.sh and of the board.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cargo=$here/../../c_examples/cortex_m/cargo.sh
@@ -8,23 +10,24 @@ host=$(rustc -vV | sed -n 's/^host: //p')
 # Without std there is nothing to unwind with.
 export CARGO_PROFILE_DEV_PANIC=abort
 
-build() {
-    "$cargo" "$target" "$@" --manifest-path "$manifest"
+check() {
+    "$cargo" "$target" check --quiet --manifest-path "$manifest" "$@"
+}
+
+# The C interface in every precision, with a panic handler.
+check_ffi() {
+    for features in f64 f32 micromath "f64 f32"; do
+        check --package critreg-ffi --no-default-features --features "$1 $features"
+    done
 }
 
 for target in "$host" thumbv7em-none-eabihf thumbv6m-none-eabi; do
-    build build --quiet --package critreg
-    build build --quiet --package critreg --features micromath
-    for features in f64 f32 micromath "f64 f32"; do
-        build rustc --quiet --package critreg-ffi --crate-type staticlib \
-            --no-default-features --features "halt $features"
-    done
+    check --package critreg
+    check --package critreg --features micromath
+    check_ffi halt
     echo "$target: core and the C interface without std, in every precision"
 done
 
 target=$host
-for features in f64 f32 micromath "f64 f32"; do
-    build rustc --quiet --package critreg-ffi --crate-type staticlib \
-        --no-default-features --features "std $features"
-done
+check_ffi std
 echo "$target: the C interface with std, in every precision"

@@ -9,3 +9,4 @@ pub mod picture;
 pub mod plan;
 pub mod report;
 pub mod room;
+pub mod text;

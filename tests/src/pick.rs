@@ -3,13 +3,14 @@
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::env::stick_button::{ROBOT, STICK, StickButton};
-use critreg::learn::{Algorithm1, Answer, Config, Learner, Problem, learn_region};
+use critreg::learn::algorithm1::Config;
+use critreg::learn::{Algorithm1, Learner, Outcome, Problem, learn_region};
 use critreg::random::generator;
 use critreg::region::Theta;
-use critreg::skill::Scope;
+use critreg::skill::Context;
 use critreg::task::State;
 
-use crate::room::Room;
+use crate::room::Algorithm1Room;
 
 /// The environment of the thesis: angles off.
 pub const ENVIRONMENT: StickButton = StickButton { angles: false };
@@ -49,7 +50,7 @@ pub fn config(seed: u64) -> Config {
 pub fn learner<'m>(
     domain: &Domain<'_>,
     seed: u64,
-    room: &'m mut Room,
+    room: &'m mut Algorithm1Room,
 ) -> Result<Algorithm1<'m, f64>, Error> {
     let capacity = room.capacity;
     Algorithm1::new(domain, config(seed), capacity, room.lend())
@@ -57,7 +58,7 @@ pub fn learner<'m>(
 
 /// Asks and tells until the learner is finished, by the simulator.
 pub fn run<L: Learner>(learner: &mut L, problem: &Problem<'_>) -> Result<(), Error> {
-    let learned = learn_region(learner, problem, |_, query| -> Result<Answer, Error> {
+    let learned = learn_region(learner, problem, |_, query| -> Result<Outcome, Error> {
         ENVIRONMENT.try_pick(problem.instance(query.instance)?, &query.theta)
     });
     match learned {
@@ -67,12 +68,12 @@ pub fn run<L: Learner>(learner: &mut L, problem: &Problem<'_>) -> Result<(), Err
 }
 
 /// Who fills the roles of PickStick in a state.
-pub fn scope(state: &State) -> Scope<'_, StickButton> {
-    Scope {
+pub fn context(state: &State) -> Context<'_, StickButton> {
+    Context {
         environment: &ENVIRONMENT,
         state,
-        own: &[ROBOT, STICK],
-        later: &[],
-        among: &[],
+        objects: &[ROBOT, STICK],
+        later_objects: &[],
+        members: &[],
     }
 }

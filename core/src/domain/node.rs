@@ -5,6 +5,7 @@
 
 use crate::error::Error;
 use crate::real::Real;
+use crate::table::Blank;
 use core::mem::discriminant;
 use heapless::VecView;
 
@@ -112,6 +113,10 @@ pub enum Node {
     Difference(NodeId, NodeId),
     /// `a * b`
     Product(NodeId, NodeId),
+}
+
+impl Blank for Node {
+    const BLANK: Self = Node::Number(0.0);
 }
 
 const _: () = assert!(

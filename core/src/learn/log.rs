@@ -8,18 +8,19 @@
 //! | 4 | fingerprint of the learner |
 //! | 2 | number of parameters n |
 //! | 4 | number of observations |
-//! | 8 + 8 n each | instance, failed step (0: feasible), parameters |
+//! | 8 + 8 n each | instance, outcome ([`Outcome::code`]), parameters |
 //! | 4 | CRC-32 of all before |
 
 use super::problem::Problem;
-use super::{Answer, Learner, Query};
+use super::{Learner, Outcome, Query};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
 use crate::region::Theta;
+use crate::table::Blank;
 use crate::wire::{FRAME, Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRLG";
-const VERSION: u16 = 1;
+const VERSION: u16 = 2;
 const HEADER: usize = 4 + 4 + 2 + 4;
 
 /// A sample that was tried and what came of it.
@@ -27,20 +28,18 @@ const HEADER: usize = 4 + 4 + 2 + 4;
 pub struct Observation {
     /// Index of the problem instance.
     pub instance: u32,
-    /// Zero if the action worked, else the number of the step that failed.
-    pub failed_step: u32,
+    /// What came of it.
+    pub outcome: Outcome,
     /// The parameters of the action.
     pub theta: Theta,
 }
 
-impl Default for Observation {
-    fn default() -> Self {
-        Observation {
-            instance: 0,
-            failed_step: 0,
-            theta: [0.0; MAX_PARAMETERS],
-        }
-    }
+impl Blank for Observation {
+    const BLANK: Self = Observation {
+        instance: 0,
+        outcome: Outcome::Unknown,
+        theta: [0.0; MAX_PARAMETERS],
+    };
 }
 
 impl Observation {
@@ -48,29 +47,17 @@ impl Observation {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] if the failed step is zero.
-    pub fn new(query: &Query, answer: Answer) -> Result<Self, Error> {
-        let failed_step = match answer {
-            Answer::Feasible => 0,
-            Answer::FailedStep(0) => {
-                return Err(Error::InvalidArgument("steps are counted from one"));
-            }
-            Answer::FailedStep(step) => step,
-        };
+    pub fn new(query: &Query, outcome: Outcome) -> Result<Self, Error> {
+        if outcome == Outcome::FailedStep(0) {
+            return Err(Error::InvalidArgument("steps are counted from one"));
+        }
         let instance = u32::try_from(query.instance)
             .map_err(|_| Error::InvalidArgument("too many instances"))?;
         Ok(Observation {
             instance,
-            failed_step,
+            outcome,
             theta: query.theta,
         })
-    }
-
-    /// What the learner was told.
-    pub fn answer(&self) -> Answer {
-        match self.failed_step {
-            0 => Answer::Feasible,
-            step => Answer::FailedStep(step),
-        }
     }
 }
 
@@ -99,7 +86,7 @@ pub fn save(
     writer.u32(u32::try_from(observations.len()).map_err(|_| TOO_MANY)?);
     for observation in observations {
         writer.u32(observation.instance);
-        writer.u32(observation.failed_step);
+        writer.i32(observation.outcome.code());
         for value in observation.theta.iter().take(parameters) {
             writer.f64(*value);
         }
@@ -143,14 +130,15 @@ pub fn resume<L: Learner>(
     }
     for _ in 0..count {
         let instance = reader.u32()?;
-        let failed_step = reader.u32()?;
+        let outcome = Outcome::from_code(reader.i32()?)
+            .map_err(|_| Error::Corrupt("a saved outcome is none"))?;
         let mut theta = [0.0; MAX_PARAMETERS];
         for value in theta.iter_mut().take(usize::from(parameters)) {
             *value = reader.f64()?;
         }
         let saved = Observation {
             instance,
-            failed_step,
+            outcome,
             theta,
         };
         replay(learner, problem, &saved)?;
@@ -164,11 +152,10 @@ fn replay(
     saved: &Observation,
 ) -> Result<(), Error> {
     let query = learner.ask(problem)?;
-    let answer = saved.answer();
-    if Observation::new(&query, answer)? != *saved {
+    if Observation::new(&query, saved.outcome)? != *saved {
         return Err(Error::Mismatch(
             "the saved samples are not those of this learner",
         ));
     }
-    learner.tell(problem, answer)
+    learner.tell(problem, saved.outcome)
 }

@@ -3,6 +3,7 @@
 use crate::domain::{Domain, PointSet};
 use crate::error::Error;
 use crate::grammar::Formula;
+use crate::table::Blank;
 use core::fmt;
 
 /// The parameters with which an action is expected to work, as readable
@@ -34,15 +35,19 @@ pub struct Region {
     pub(super) fingerprint: u32,
 }
 
-impl Default for Region {
+impl Blank for Region {
     /// A place for a region: it admits everything, and belongs to a domain without text.
+    const BLANK: Self = Region {
+        formula: Formula::everything(),
+        points: PointSet::EMPTY,
+        relevant: 0,
+        fingerprint: 0,
+    };
+}
+
+impl Default for Region {
     fn default() -> Self {
-        Region {
-            formula: Formula::everything(),
-            points: PointSet::default(),
-            relevant: 0,
-            fingerprint: 0,
-        }
+        Region::BLANK
     }
 }
 
@@ -66,18 +71,10 @@ impl Region {
 
     /// Replaces its formula where it lies by what `write` makes of one that holds for
     /// every sample.
-    ///
-    /// # Errors
-    /// Those of `write`; what it wrote then stays.
-    pub(crate) fn rewrite(
-        &mut self,
-        domain: &Domain<'_>,
-        write: impl FnOnce(&mut Formula) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+    pub(crate) fn rewrite(&mut self, domain: &Domain<'_>, write: impl FnOnce(&mut Formula)) {
         self.formula.clear();
-        let written = write(&mut self.formula);
+        write(&mut self.formula);
         self.settle(domain);
-        written
     }
 
     /// Makes it the same as another, where it lies.
@@ -109,6 +106,17 @@ impl Region {
     /// Those of `out`.
     pub fn write(&self, domain: &Domain<'_>, out: &mut dyn fmt::Write) -> fmt::Result {
         self.formula.write(domain, out)
+    }
+
+    /// Its text, to be printed.
+    pub fn display<'d>(&'d self, domain: &'d Domain<'d>) -> impl fmt::Display + 'd {
+        struct Text<'d>(&'d Region, &'d Domain<'d>);
+        impl fmt::Display for Text<'_> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.0.write(self.1, f)
+            }
+        }
+        Text(self, domain)
     }
 
     /// Its constraints and connectives.

@@ -1,9 +1,9 @@
 //! Trying an operator with given parameters: the question that is learned.
 
 use super::atom::LiftedAtom;
-use super::controller::{Ending, rollout_from};
 use super::environment::{Environment, Failure};
 use super::operator::Operator;
+use super::rollout::{Ending, rollout_from};
 use super::state::{ObjectId, State};
 
 /// Whether an action did what its operator promises.
@@ -22,9 +22,9 @@ pub enum Verdict {
     Failed(Failure),
 }
 
-/// What came of an operator.
+/// An operator that was tried, and what came of it.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct Trial {
     /// The last state; the start state if no action was taken.
     pub state: State,
     /// How many actions were taken.
@@ -33,7 +33,7 @@ pub struct Outcome {
     pub verdict: Verdict,
 }
 
-impl Outcome {
+impl Trial {
     /// Whether the parameters are feasible.
     pub fn is_feasible(&self) -> bool {
         self.verdict == Verdict::Feasible
@@ -49,23 +49,18 @@ pub fn try_operator<E: Environment>(
     objects: &[ObjectId],
     parameters: &[f32],
     start: &State,
-) -> Outcome {
-    let mut outcome = Outcome {
+) -> Trial {
+    let mut trial = Trial {
         state: start.clone(),
         actions: 0,
         verdict: Verdict::NoAction,
     };
-    (outcome.actions, outcome.verdict) = try_operator_from(
-        environment,
-        operator,
-        objects,
-        parameters,
-        &mut outcome.state,
-    );
-    if outcome.actions == 0 {
-        outcome.state.clone_from(start);
+    (trial.actions, trial.verdict) =
+        try_operator_from(environment, operator, objects, parameters, &mut trial.state);
+    if trial.actions == 0 {
+        trial.state.clone_from(start);
     }
-    outcome
+    trial
 }
 
 /// As [`try_operator`], in a state that the caller lends, see [`rollout_from`]. Tells how
@@ -143,68 +138,57 @@ mod tests {
     impl Environment for Cart {
         type Action = f64;
 
-        fn types(&self) -> &'static [ObjectType] {
-            &[ObjectType {
-                name: "cart",
-                attributes: &[Attribute {
-                    name: "x",
-                    dimension: Dimension::Length,
-                }],
-                naming: Naming::Single("cart"),
-            }]
-        }
-
-        fn predicates(&self) -> &'static [Predicate<Self>] {
-            &[
-                Predicate {
-                    name: "PastOne",
-                    arguments: &[CART],
-                    classifier: |_, state, _| position(state) > 1.0,
-                },
-                Predicate {
-                    name: "Positive",
-                    arguments: &[CART],
-                    classifier: |_, state, _| position(state) > 0.0,
-                },
-            ]
-        }
-
-        fn controllers(&self) -> &'static [Controller<Self>] {
-            &[Controller {
-                name: "Roll",
+        const TYPES: &'static [ObjectType] = &[ObjectType {
+            name: "cart",
+            attributes: &[Attribute {
+                name: "x",
+                dimension: Dimension::Length,
+            }],
+            naming: Naming::Single("cart"),
+        }];
+        const PREDICATES: &'static [Predicate<Self>] = &[
+            Predicate {
+                name: "PastOne",
                 arguments: &[CART],
-                parameters: &[[-1.0, 1.0], [0.0, 10.0]],
-                initiable: |_, _, _, theta| theta.len() == 2,
-                policy: |_, _, _, theta| theta.first().copied().map_or(0.0, f64::from),
-                terminal: Terminal::When(|_, state, _, theta| {
-                    let end = theta.get(1);
-                    end.is_some_and(|end| position(state) >= f64::from(*end))
-                }),
-            }]
-        }
-
-        fn operators(&self) -> &'static [Operator<'static>] {
-            &[
-                Operator {
-                    name: "Advance",
-                    parameters: &[CART],
-                    preconditions: &[],
-                    add_effects: &[PAST_ONE],
-                    delete_effects: &[PAST_ONE],
-                    controller: ControllerId(0),
-                    controller_arguments: &[0],
-                },
-                Operator {
-                    name: "Vanish",
-                    parameters: &[CART],
-                    preconditions: &[],
-                    add_effects: &[PAST_ONE],
-                    delete_effects: &[POSITIVE],
-                    controller: ControllerId(0),
-                    controller_arguments: &[0],
-                },
-            ]
-        }
+                classifier: |_, state, _| position(state) > 1.0,
+            },
+            Predicate {
+                name: "Positive",
+                arguments: &[CART],
+                classifier: |_, state, _| position(state) > 0.0,
+            },
+        ];
+        const CONTROLLERS: &'static [Controller<Self>] = &[Controller {
+            name: "Roll",
+            arguments: &[CART],
+            parameters: &[[-1.0, 1.0], [0.0, 10.0]],
+            initiable: |_, _, _, theta| theta.len() == 2,
+            policy: |_, _, _, theta| theta.first().copied().map_or(0.0, f64::from),
+            terminal: Terminal::When(|_, state, _, theta| {
+                let end = theta.get(1);
+                end.is_some_and(|end| position(state) >= f64::from(*end))
+            }),
+        }];
+        const OPERATORS: &'static [Operator<'static>] = &[
+            Operator {
+                name: "Advance",
+                parameters: &[CART],
+                preconditions: &[],
+                add_effects: &[PAST_ONE],
+                delete_effects: &[PAST_ONE],
+                controller: ControllerId(0),
+                controller_arguments: &[0],
+            },
+            Operator {
+                name: "Vanish",
+                parameters: &[CART],
+                preconditions: &[],
+                add_effects: &[PAST_ONE],
+                delete_effects: &[POSITIVE],
+                controller: ControllerId(0),
+                controller_arguments: &[0],
+            },
+        ];
 
         fn simulate(&self, state: &mut State, action: f64) -> Result<(), Failure> {
             let moved = position(state) + action;
@@ -221,7 +205,7 @@ mod tests {
 
     fn start() -> State {
         let mut state = State::new();
-        state.add(Cart.types(), CART, &[0.0]).unwrap();
+        state.add(Cart::TYPES, CART, &[0.0]).unwrap();
         state
     }
 
@@ -238,7 +222,7 @@ mod tests {
             (&[-1.0, 9.0], Ending::Failed(failure), 0, 0.0),
             (&[1.0], Ending::NotInitiable, 0, 0.0),
         ];
-        let [controller] = Cart.controllers() else {
+        let [controller] = Cart::CONTROLLERS else {
             panic!()
         };
         for (theta, ending, actions, end) in cases {
@@ -250,7 +234,7 @@ mod tests {
 
     #[test]
     fn every_verdict() {
-        let [advance, vanish] = Cart.operators() else {
+        let [advance, vanish] = Cart::OPERATORS else {
             panic!()
         };
         let failure = Failure {
@@ -264,11 +248,11 @@ mod tests {
             (vanish, [1.0, 2.0], Verdict::DeleteEffectRemains),
         ];
         for (operator, theta, verdict) in cases {
-            let outcome = try_operator(&Cart, operator, &[ObjectId(0)], &theta, &start());
-            assert_eq!(outcome.verdict, verdict, "{theta:?}");
+            let trial = try_operator(&Cart, operator, &[ObjectId(0)], &theta, &start());
+            assert_eq!(trial.verdict, verdict, "{theta:?}");
         }
-        let outcome = try_operator(&Cart, advance, &[], &[1.0, 2.0], &start());
-        assert_eq!(outcome.verdict, Verdict::NoAction, "an object is missing");
+        let trial = try_operator(&Cart, advance, &[], &[1.0, 2.0], &start());
+        assert_eq!(trial.verdict, Verdict::NoAction, "an object is missing");
     }
 
     #[test]

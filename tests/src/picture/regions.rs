@@ -1,10 +1,11 @@
 //! Learned regions, and tasks that show what they say.
 
 use crate::data::to_state;
-use crate::report::{Scenario, VersionSpaceRoom, chain, pick};
+use crate::report::{Scenario, chain, pick};
+use crate::room::VersionSpaceRoom;
+use crate::text;
 use critreg::Error;
-use critreg::learn::version_space::{Capacity, Config};
-use critreg::learn::{Problem, VersionSpace, learn_region};
+use critreg::learn::{Problem, learn_region};
 use critreg::region::Region;
 use critreg::task::State;
 
@@ -30,21 +31,9 @@ impl Learned {
         let instances = scenario.draw(SEED, scenario.instances);
         let domain = &scenario.domain;
         let problem = Problem::new(domain, &instances, scenario.instances).expect("valid");
-        let mut room = VersionSpaceRoom::<f64>::new(Capacity {
-            forms: 12_000,
-            tracked: usize::MAX,
-            observations: scenario.calls as usize,
-            instances: scenario.instances,
-            steps: scenario.steps,
-        });
-        let config = Config {
-            seed: SEED,
-            calls: scenario.calls,
-            ..Config::default()
-        };
-        let capacity = room.capacity;
-        let mut learner =
-            VersionSpace::new(domain, config, capacity, room.lend()).expect("enough room");
+        let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
+        let learner = room.learner(domain, scenario.config(SEED));
+        let mut learner = learner.expect("enough room");
         let learned = learn_region(&mut learner, &problem, |_, query| {
             let instance = problem.instance(query.instance)?;
             Ok::<_, Error>(scenario.judge(instance, &query.theta))
@@ -58,9 +47,7 @@ impl Learned {
 
     /// The constraints, each as text.
     pub fn constraints(&self) -> Vec<String> {
-        let mut text = String::new();
-        let written = self.region.write(&self.scenario.domain, &mut text);
-        written.expect("strings grow");
+        let text = text::of_region(&self.scenario.domain, &self.region);
         text.split(" and ").map(str::to_string).collect()
     }
 

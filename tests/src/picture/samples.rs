@@ -2,12 +2,12 @@
 //! original samplers and with learned regions.
 
 use crate::pick::ENVIRONMENT;
-use crate::plan::record::{self, Run};
+use crate::plan::record;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn};
 use crate::plan::{Grounding, Room};
-use critreg::env::stick_button::StickButton;
-use critreg::plan::{Conclusion, Config, Guide, Planner, Sampler, Simulated, Unguided};
-use critreg::skill::{Informed, Training};
+use critreg::Error;
+use critreg::plan::{Conclusion, Planned, Unguided};
+use critreg::skill::{RegionGuide, RegionSampler, Training};
 use critreg::task::State;
 use rand_pcg::Pcg64;
 
@@ -65,41 +65,34 @@ pub struct Measured {
     pub learning: u32,
 }
 
-/// The recorded runs with the tasks of the thesis's table.
-pub fn runs() -> impl Iterator<Item = Run> {
-    record::runs().filter(|run| run.name.starts_with("1-1 buttons, seed 0,"))
-}
-
 /// Plans all tasks with the original samplers, then with learned regions.
 ///
 /// # Panics
 /// If the memory does not suffice to learn or to plan.
 pub fn measure() -> Measured {
     let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
-    let training = Training::default();
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
-    let mut training_room = TrainingRoom::new(&training);
-    let costs = learn(&mut skills, SEED, &training, &mut training_room).expect("enough room");
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).expect("valid descriptions");
+    let mut training_room = TrainingRoom::new(Training::default());
+    let costs = learn(&mut skills, SEED, &mut training_room).expect("enough room");
     let mut room = Room::new(10_000);
     let (mut original, mut learned) = (vec![], vec![]);
-    for run in runs() {
+    for run in record::runs_of_the_thesis() {
         let grounding = Grounding::new(&ENVIRONMENT, &run.task).expect("few buttons");
-        let simulated = grounding.simulated();
-        let informed = Informed::new(&ENVIRONMENT, &skills, &run.task.initial);
-        let mut plan = Planning {
-            grounding: &grounding,
-            initial: &run.task.initial,
-            generator: &generators[run.planner_seed as usize],
-            room: &mut room,
-        };
-        original.push(plan.plan(simulated, Unguided));
-        learned.push(plan.plan(informed, informed));
+        let initial = &run.task.initial;
+        let numbers = || generators[run.planner_seed as usize].clone();
+        let unguided = (grounding.simulated(), Unguided);
+        let planned = grounding.plan(initial, unguided, numbers, &mut room);
+        original.push(Cost::of(planned));
+        let sampler = RegionSampler::new(&ENVIRONMENT, &skills);
+        let guide = RegionGuide::new(&ENVIRONMENT, &skills, initial);
+        let planned = grounding.plan(initial, (sampler, guide), numbers, &mut room);
+        learned.push(Cost::of(planned));
     }
     Measured {
         original: Series::new("original samplers", "original", &original),
         learned: Series::new("learned regions", "learned", &learned),
-        learning: costs.iter().map(|cost| cost.calls).sum(),
+        learning: costs.iter().map(|cost| cost.runs).sum(),
     }
 }
 
@@ -110,29 +103,8 @@ struct Cost {
     steps: Option<u32>,
 }
 
-/// A task to plan.
-struct Planning<'t> {
-    grounding: &'t Grounding<'t, StickButton>,
-    initial: &'t State,
-    generator: &'t Pcg64,
-    room: &'t mut Room,
-}
-
-impl<'t> Planning<'t> {
-    fn plan<S, G>(&mut self, mut sampler: S, mut guide: G) -> Cost
-    where
-        S: Sampler<Simulated<'t, StickButton>>,
-        G: Guide,
-    {
-        let mut planner = Planner {
-            world: &mut self.grounding.simulated(),
-            sampler: &mut sampler,
-            guide: &mut guide,
-            config: Config::default(),
-        };
-        let restart = || self.generator.clone();
-        let (task, memory) = (self.grounding.task(), self.room.lend());
-        let planned = planner.plan(task, self.initial, restart(), restart, memory);
+impl Cost {
+    fn of(planned: Result<Planned<'_, State>, Error>) -> Cost {
         let planned = planned.expect("samplers that do not fail");
         let solved = planned.conclusion == Conclusion::Solved;
         Cost {

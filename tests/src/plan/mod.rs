@@ -7,10 +7,11 @@ pub mod skills;
 
 use critreg::Error;
 use critreg::plan::{
-    AbstractTask, Cached, HeuristicMemory, Memory, Progress, SearchMemory, SearchNode, Simulated,
-    Step, Waiting,
+    AbstractTask, Cached, Config, Guide, HeuristicMemory, Memory, Planned, Planner, Progress,
+    Sampler, SearchMemory, SearchNode, Simulated, Step, Waiting,
 };
 use critreg::task::{AtomSet, Atoms, Environment, GroundOperator, State, Task, ground_operators};
+use rand_core::Rng;
 
 /// Most ground operators: those of ten buttons.
 pub const MAX_OPERATORS: usize = 256;
@@ -84,10 +85,9 @@ impl<'e, E: Environment> Grounding<'e, E> {
     /// # Errors
     /// [`Error::CapacityExceeded`] with too many objects.
     pub fn new(environment: &'e E, task: &Task) -> Result<Self, Error> {
-        let atoms = Atoms::new(environment, &task.initial)?;
+        let atoms = Atoms::new::<E>(&task.initial)?;
         let mut operators = heapless::Vec::new();
-        let lifted = environment.operators();
-        ground_operators(lifted, &task.initial, &atoms, &mut operators)?;
+        ground_operators(E::OPERATORS, &task.initial, &atoms, &mut operators)?;
         Ok(Grounding {
             environment,
             operators,
@@ -104,6 +104,27 @@ impl<'e, E: Environment> Grounding<'e, E> {
             initial: self.initial,
             goal: self.goal,
         }
+    }
+
+    /// Plans from the initial state. Lots, and the samples of each skeleton, are the
+    /// numbers that `numbers` begins.
+    ///
+    /// # Errors
+    /// Those of [`Planner::plan`].
+    pub fn plan<'m, R: Rng + Clone>(
+        &'m self,
+        initial: &State,
+        (mut sampler, mut guide): (impl Sampler<Simulated<'m, E>>, impl Guide),
+        numbers: impl Fn() -> R,
+        room: &'m mut Room,
+    ) -> Result<Planned<'m, State>, Error> {
+        let mut planner = Planner {
+            world: &mut self.simulated(),
+            sampler: &mut sampler,
+            guide: &mut guide,
+            config: Config::default(),
+        };
+        planner.plan(self.task(), initial, numbers(), &numbers, room.lend())
     }
 
     /// The environment.

@@ -67,6 +67,11 @@ pub fn runs() -> impl Iterator<Item = Run> {
     })
 }
 
+/// Those with the tasks of the thesis's table (6.1).
+pub fn runs_of_the_thesis() -> impl Iterator<Item = Run> {
+    runs().filter(|run| run.name.starts_with("1-1 buttons, seed 0,"))
+}
+
 fn skeleton(word: &str) -> (Vec<String>, u32) {
     let (operators, samples) = word.split_once('=').unwrap();
     let operators = operators.split('.').map(str::to_string).collect();
@@ -79,7 +84,6 @@ fn step(word: &str) -> (String, Vec<f32>) {
     (operator, words.map(|w| w.parse().unwrap()).collect())
 }
 
-/// The task to press all buttons.
 /// The task to press all buttons.
 pub fn press_all(initial: State) -> Task {
     let goal = initial.of_type(BUTTON_TYPE).map(|button| GroundAtom {

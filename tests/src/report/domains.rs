@@ -6,6 +6,7 @@ use crate::golden::{self, Recording};
 use crate::lottery::Lottery;
 use crate::plan::Room;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn_from};
+use crate::text;
 use critreg::Error;
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
@@ -48,7 +49,7 @@ pub fn training() -> Training {
         chained: 60,
         budget: 245,
         tasks: 12,
-        instances: 34,
+        situations: 34,
         states: 26,
     }
 }
@@ -106,7 +107,7 @@ fn recorded<E: Describe>(
     task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
     seeds: u64,
 ) {
-    let tests = recording.tasks(environment).into_iter();
+    let tests = recording.tasks::<E>().into_iter();
     let tests = tests.filter(|t| t.split == "test" && t.index < TASKS);
     let tests: Vec<Task> = tests.map(|t| t.task).collect();
     let baseline = recording.baseline();
@@ -139,24 +140,17 @@ fn evaluate<E: Describe>(
     tests: &[Task],
     seeds: u64,
 ) {
-    let training = training();
-    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training));
-    let mut skill_room = SkillRoom::new(environment);
+    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(training()));
+    let mut skill_room = SkillRoom::default();
     let mut planned = Row::new(name, "learned");
     for seed in FIRST_SEED..FIRST_SEED + seeds {
-        let mut skills = skill_room.lend(environment);
-        let learned = train(
-            environment,
-            &task,
-            seed,
-            &mut skills,
-            (&training, &mut training_room),
-        );
+        let mut skills = skill_room.lend(environment).expect("valid descriptions");
+        let learned = train(environment, &task, seed, &mut skills, &mut training_room);
         let learned = learned.expect("learning does not fail");
-        print_budgets(environment, &skills, &learned);
+        print_budgets::<E>(&skills, &learned);
         for (index, learned) in learned.iter().enumerate() {
             let judged = judge(environment, &mut skills, index, tests, &mut training_room);
-            print_skill(environment, &skills, index, learned, &judged);
+            print_skill::<E>(&skills, index, learned, &judged);
         }
         for (index, task) in (1..).zip(tests) {
             let problem = (environment, task);
@@ -171,34 +165,34 @@ fn evaluate<E: Describe>(
     planned.print();
 }
 
-/// Learns all skills from tasks of a seed. The room is one for this training.
+/// Learns all skills from tasks of a seed.
 ///
 /// # Errors
-/// Those of [`Skills::learn`].
+/// Those of [`Trainer::learn`](critreg::skill::Trainer::learn).
 pub fn train<E: Describe>(
     environment: &E,
     task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
     seed: u64,
     skills: &mut Skills<'_>,
-    (training, room): (&Training, &mut TrainingRoom),
+    room: &mut TrainingRoom,
 ) -> Result<Vec<Learned>, Error> {
     let mut rng = generator(seed ^ 0x7EA1_0000_0000);
     let tasks = (0..TRAINING).flat_map(|index| task(index, &mut rng));
     let tasks: Vec<Task> = tasks.collect();
-    learn_from(environment, skills, &tasks, seed, training, room)
+    learn_from(environment, skills, &tasks, seed, room)
 }
 
 /// Prints what it took to learn all skills of each controller.
-fn print_budgets<E: Describe>(environment: &E, skills: &Skills<'_>, learned: &[Learned]) {
-    for (id, controller) in (0..).map(ControllerId).zip(environment.controllers()) {
+fn print_budgets<E: Environment>(skills: &Skills<'_>, learned: &[Learned]) {
+    for (id, controller) in (0..).map(ControllerId).zip(E::CONTROLLERS) {
         let pairs = skills.iter().zip(learned);
         let own: Vec<&Learned> = pairs
-            .filter(|(skill, _)| skill.description().own == id)
+            .filter(|(skill, _)| skill.description().controller == id)
             .map(|(_, learned)| learned)
             .collect();
         if !own.is_empty() {
             let tasks = own.iter().map(|learned| learned.tasks).max();
-            let calls: u32 = own.iter().map(|learned| learned.calls).sum();
+            let calls: u32 = own.iter().map(|learned| learned.runs).sum();
             println!(
                 "controller: {}, tasks {}, calls {calls}",
                 controller.name,
@@ -209,8 +203,7 @@ fn print_budgets<E: Describe>(environment: &E, skills: &Skills<'_>, learned: &[L
 }
 
 /// Prints a line about a skill, and its region.
-fn print_skill<E: Describe>(
-    environment: &E,
+fn print_skill<E: Environment>(
     skills: &Skills<'_>,
     index: usize,
     learned: &Learned,
@@ -219,21 +212,19 @@ fn print_skill<E: Describe>(
     let skill = skills.get(index).expect("it was learned");
     println!(
         "skill: {}, tasks {}, instances {}, calls {}, {judged}",
-        title(environment, skill),
+        title::<E>(skill),
         learned.tasks,
-        learned.instances,
-        learned.calls,
+        learned.situations,
+        learned.runs,
     );
-    println!("region: {}", text(skill));
+    let region = skill.region();
+    let region = region.map(|region| text::of_region(skill.domain(), region));
+    println!("region: {}", region.as_deref().unwrap_or("none"));
 }
 
 /// The controllers of a skill.
-fn title<E: Environment>(environment: &E, skill: &Skill) -> String {
-    let name = |id: ControllerId| {
-        environment.controllers()[usize::from(id.0)]
-            .name
-            .to_string()
-    };
+fn title<E: Environment>(skill: &Skill) -> String {
+    let name = |id: ControllerId| E::CONTROLLERS[usize::from(id.0)].name.to_string();
     let description = skill.description();
     let later = description.later.map(name);
     let later = later.map_or(String::new(), |later| format!(" before {later}"));
@@ -241,18 +232,5 @@ fn title<E: Environment>(environment: &E, skill: &Skill) -> String {
         [] => " (states)",
         _ => "",
     };
-    format!("{}{later}{states}", name(description.own))
-}
-
-/// The region of a skill as text.
-fn text(skill: &Skill) -> String {
-    let mut text = String::new();
-    match skill.region() {
-        Some(region) => {
-            let written = region.write(skill.domain(), &mut text);
-            written.expect("a string has room");
-            text
-        }
-        None => "none".into(),
-    }
+    format!("{}{later}{states}", name(description.controller))
 }

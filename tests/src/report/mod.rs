@@ -3,9 +3,10 @@
 mod domains;
 mod judge;
 mod judged;
-mod room;
 mod row;
+mod runs;
 mod scenario;
+mod sensitivity;
 mod shapes;
 mod statistics;
 mod synthetic;
@@ -13,8 +14,9 @@ mod table;
 
 pub use domains::{NAMES as DOMAINS, print as domains, train, training};
 pub use judge::{Score, Truth};
-pub use room::VersionSpaceRoom;
+pub use runs::{LEARNERS, for_seeds, run_seed};
 pub use scenario::{Scenario, angles, chain, noise, pick};
+pub use sensitivity::print as sensitivity;
 pub use shapes::{groups, interval, state, union};
 pub use statistics::{Run, Statistics};
 pub use synthetic::synthetic;

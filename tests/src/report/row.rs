@@ -1,8 +1,8 @@
 //! A row of the table: what planning took.
 
 use crate::plan::{Grounding, Room};
-use critreg::plan::{Conclusion, Config, Guide, Planned, Planner, Sampler, Simulated, Unguided};
-use critreg::skill::{Describe, Informed, Skills};
+use critreg::plan::{Conclusion, Guide, Planned, Sampler, Simulated, Unguided};
+use critreg::skill::{Describe, RegionGuide, RegionSampler, Skills};
 use critreg::task::{Environment, State, Task};
 use rand_core::Rng;
 use std::time::Instant;
@@ -69,8 +69,9 @@ impl Row {
     ) {
         let started = Instant::now();
         let grounding = ground(environment, task);
-        let informed = Informed::new(environment, skills, &task.initial);
-        self.plan((&grounding, task), (informed, informed), numbers, room);
+        let sampler = RegionSampler::new(environment, skills);
+        let guide = RegionGuide::new(environment, skills, &task.initial);
+        self.plan((&grounding, task), (sampler, guide), numbers, room);
         self.seconds += started.elapsed().as_secs_f64();
     }
 
@@ -82,18 +83,11 @@ impl Row {
     pub(super) fn plan<'m, E: Environment, R: Rng + Clone>(
         &mut self,
         (grounding, task): (&'m Grounding<'_, E>, &Task),
-        (mut sampler, mut guide): (impl Sampler<Simulated<'m, E>>, impl Guide),
+        advice: (impl Sampler<Simulated<'m, E>>, impl Guide),
         numbers: impl Fn() -> R,
-        room: &mut Room,
+        room: &'m mut Room,
     ) {
-        let mut planner = Planner {
-            world: &mut grounding.simulated(),
-            sampler: &mut sampler,
-            guide: &mut guide,
-            config: Config::default(),
-        };
-        let (abstracted, initial) = (grounding.task(), &task.initial);
-        let planned = planner.plan(abstracted, initial, numbers(), &numbers, room.lend());
+        let planned = grounding.plan(&task.initial, advice, numbers, room);
         let planned = planned.expect("the environment does not fail");
         self.add(grounding.environment(), task, &planned);
     }

@@ -2,14 +2,15 @@
 
 use critreg::domain::Domain;
 use critreg::env::stick_button::{StickButton, ZONE_HEIGHT};
-use critreg::learn::Answer;
+use critreg::learn::Outcome;
+use critreg::learn::version_space::{Capacity, Config};
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
 
 /// Draws an instance.
 pub(super) type Draw = Box<dyn Fn(&mut Generator) -> Vec<f64> + Sync>;
 /// Judges parameters in an instance.
-pub(super) type Judge = Box<dyn Fn(&[f64], &[f64]) -> Answer + Sync>;
+pub(super) type Judge = Box<dyn Fn(&[f64], &[f64]) -> Outcome + Sync>;
 
 /// A learning problem of which fresh instances can be drawn.
 pub struct Scenario {
@@ -55,8 +56,29 @@ impl Scenario {
             draw: Box::new(draw),
             judge: Box::new(move |instance, theta| {
                 let works = region.contains::<f64>(&own, instance, theta);
-                Answer::from_feasible(works.expect("a valid sample"))
+                Outcome::from_feasible(works.expect("a valid sample"))
             }),
+        }
+    }
+
+    /// Room for what a version-space learner is told.
+    pub fn capacity(&self) -> Capacity {
+        Capacity {
+            forms: 12_000,
+            tracked: usize::MAX,
+            observations: self.calls as usize,
+            instances: self.instances,
+            steps: self.steps,
+        }
+    }
+
+    /// The configuration of a version-space learner with this seed.
+    pub fn config(&self, seed: u64) -> Config {
+        Config {
+            seed,
+            calls: self.calls,
+            noise: self.noise,
+            ..Config::default()
         }
     }
 
@@ -67,7 +89,7 @@ impl Scenario {
     }
 
     /// What comes of a sample.
-    pub fn judge(&self, instance: &[f64], theta: &[f64]) -> Answer {
+    pub fn judge(&self, instance: &[f64], theta: &[f64]) -> Outcome {
         (self.judge)(instance, theta)
     }
 }

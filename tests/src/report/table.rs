@@ -1,20 +1,21 @@
 //! The thesis's Table 6.1 and what learned regions make of it.
 
 use super::row::{Row, ground};
+use crate::data;
 use crate::pick::{self, ENVIRONMENT};
 use crate::plan::Room;
 use crate::plan::lower_half::LowerHalf;
-use crate::plan::record::{self, Run};
+use crate::plan::record;
 use crate::plan::skills::{self, SkillRoom, TrainingRoom};
-use crate::{data, room};
-use critreg::env::stick_button::{PICK_STICK, ROBOT, STICK};
-use critreg::learn::{Algorithm1, Answer, Problem, learn_region};
+use crate::room::Algorithm1Room;
+use critreg::Error;
+use critreg::env::stick_button::{PICK_STICK, ROBOT, STICK, StickButton};
+use critreg::learn::{Algorithm1, Outcome, Problem, learn_region};
 use critreg::plan::Unguided;
 use critreg::random::generator;
 use critreg::region::Region;
 use critreg::skill::{Describe, Skills, Training};
-use critreg::task::{State, Task};
-use critreg::{Error, task};
+use critreg::task::{ControllerId, Environment, State, Task, try_operator};
 use rand_pcg::Pcg64;
 
 /// Test tasks of each seed.
@@ -52,12 +53,11 @@ fn tests(buttons: (usize, usize), seed: u64) -> Vec<Task> {
 fn replayed() {
     let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
     let mut room = Room::new(NODES);
-    let is_its = |run: &Run| run.name.starts_with("1-1 buttons, seed 0,");
     let mut rows = [
         Row::new("seed 0, 1 button (replay)", "original"),
         Row::new("seed 0, 1 button (replay)", "PickStick from U(0, 0.5)"),
     ];
-    for run in record::runs().filter(is_its) {
+    for run in record::runs_of_the_thesis() {
         let numbers = || generators[run.planner_seed as usize].clone();
         let [original, lower] = &mut rows;
         original.plan_originally((&ENVIRONMENT, &run.task), numbers, &mut room);
@@ -82,8 +82,8 @@ fn algorithm1() {
     let mut room = Room::new(NODES);
     let mut row = Row::new("seed 0, 1 button", "learned by algorithm1");
     for seed in FIRST_SEED..FIRST_SEED + ALGORITHM1_SEEDS {
-        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-        let mut skills = skill_room.lend(&ENVIRONMENT);
+        let mut skill_room = SkillRoom::default();
+        let mut skills = skill_room.lend(&ENVIRONMENT).expect("valid descriptions");
         match grasps(&skills, seed) {
             Ok(region) => {
                 row.regions += 1;
@@ -120,19 +120,19 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
     let length = skill.binding().len();
     let mut instances = vec![0.0; states.len() * length];
     for (state, numbers) in states.iter().zip(instances.chunks_exact_mut(length)) {
-        skill.binding().instance(&pick::scope(state), numbers)?;
+        skill.binding().instance(&pick::context(state), numbers)?;
     }
     let problem = Problem::new(skill.domain(), &instances, states.len())?;
-    let mut room = room::Room::new(20_000, 102);
+    let mut room = Algorithm1Room::new(20_000, 102);
     let capacity = room.capacity;
     let config = pick::config(seed);
     let mut learner = Algorithm1::new(skill.domain(), config, capacity, room.lend())?;
     let region = learn_region(&mut learner, &problem, |_, query| {
         let state = &states[query.instance];
-        let operator = &task::Environment::operators(&ENVIRONMENT)[1];
+        let operator = &StickButton::OPERATORS[1];
         let mu = query.theta[0] as f32;
-        let tried = task::try_operator(&ENVIRONMENT, operator, &[ROBOT, STICK], &[mu], state);
-        Ok::<_, Error>(Answer::from_feasible(tried.is_feasible()))
+        let tried = try_operator(&ENVIRONMENT, operator, &[ROBOT, STICK], &[mu], state);
+        Ok::<_, Error>(Outcome::from_feasible(tried.is_feasible()))
     });
     region.cloned()
 }
@@ -148,22 +148,17 @@ fn version_space(seeds: u64) {
     };
     let mut originals = BUTTONS.map(|buttons| name(buttons, "original"));
     let mut rows = BUTTONS.map(|buttons| name(buttons, "learned, version_space"));
-    let descriptions = ENVIRONMENT.descriptions();
+    let descriptions = StickButton::DESCRIPTIONS;
     let mut calls = vec![(0, 0); descriptions.len()];
-    let training = Training::default();
-    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training));
+    let mut room = Room::new(NODES);
+    let mut training_room = TrainingRoom::new(Training::default());
     for seed in 0..seeds {
-        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-        let mut skills = skill_room.lend(&ENVIRONMENT);
-        let learned = skills::learn(
-            &mut skills,
-            FIRST_SEED + seed,
-            &training,
-            &mut training_room,
-        );
+        let mut skill_room = SkillRoom::default();
+        let mut skills = skill_room.lend(&ENVIRONMENT).expect("valid descriptions");
+        let learned = skills::learn(&mut skills, FIRST_SEED + seed, &mut training_room);
         let learned = learned.expect("learning does not fail");
         for ((sum, regions), learned) in calls.iter_mut().zip(&learned) {
-            *sum += learned.calls;
+            *sum += learned.runs;
             *regions += u32::from(learned.region);
         }
         for (buttons, (original, row)) in
@@ -177,7 +172,7 @@ fn version_space(seeds: u64) {
             plan(row, &tests, &skills, &mut room);
             row.learners += 1;
             row.regions += learned.iter().map(|l| u32::from(l.region)).sum::<u32>();
-            row.learning_calls += learned.iter().map(|l| u64::from(l.calls)).sum::<u64>();
+            row.learning_calls += learned.iter().map(|l| u64::from(l.runs)).sum::<u64>();
         }
     }
     for (original, row) in originals.iter().zip(&rows) {
@@ -186,12 +181,11 @@ fn version_space(seeds: u64) {
         row.print_payback(original);
     }
     for (description, (calls, regions)) in descriptions.iter().zip(calls) {
-        let controllers = task::Environment::controllers(&ENVIRONMENT);
-        let name = |id: task::ControllerId| controllers[usize::from(id.0)].name;
+        let name = |id: ControllerId| StickButton::CONTROLLERS[usize::from(id.0)].name;
         let later = description
             .later
             .map_or(String::new(), |id| format!(" then {}", name(id)));
-        println!("learning: {}{later}", name(description.own));
+        println!("learning: {}{later}", name(description.controller));
         println!(
             "learning_calls_mean: {:.1}",
             f64::from(calls) / seeds as f64

@@ -4,7 +4,7 @@
 use super::pick::{pick, read_instance};
 use super::{FIRST_BUTTON, ROBOT, STICK, StickButton};
 use crate::error::Error;
-use crate::learn::Answer;
+use crate::learn::Outcome;
 use crate::task::{Environment, OperatorId, State, Verdict, try_operator_from};
 
 /// The operator StickPressButtonFromNothing.
@@ -17,22 +17,22 @@ impl StickButton {
     ///
     /// # Errors
     /// Those of [`StickButton::try_pick`].
-    pub fn try_pick_and_press(&self, instance: &[f64], theta: &[f64]) -> Result<Answer, Error> {
+    pub fn try_pick_and_press(&self, instance: &[f64], theta: &[f64]) -> Result<Outcome, Error> {
         let mut state = State::new();
         read_instance(instance, &mut state)?;
         if pick(self, &mut state, theta)? != Verdict::Feasible {
-            return Ok(Answer::FailedStep(1));
+            return Ok(Outcome::FailedStep(1));
         }
-        let operators = self.operators();
+        let operators = Self::OPERATORS;
         let press = operators
             .get(usize::from(STICK_PRESS_BUTTON_FROM_NOTHING.0))
             .ok_or(Error::InvalidArgument("there is no such operator"))?;
         let objects = [ROBOT, STICK, FIRST_BUTTON];
         let (_, verdict) = try_operator_from(self, press, &objects, &[], &mut state);
         Ok(if verdict == Verdict::Feasible {
-            Answer::Feasible
+            Outcome::Feasible
         } else {
-            Answer::FailedStep(2)
+            Outcome::FailedStep(2)
         })
     }
 }
@@ -45,7 +45,7 @@ mod tests {
     #[test]
     fn the_operator_is_where_it_is_expected() {
         let index = usize::from(STICK_PRESS_BUTTON_FROM_NOTHING.0);
-        let press = &StickButton::default().operators()[index];
+        let press = &StickButton::OPERATORS[index];
         assert_eq!(press.name, "StickPressButtonFromNothing");
     }
 
@@ -60,10 +60,11 @@ mod tests {
                 let theta = [f64::from(step) / 20.0];
                 let picked = environment.try_pick(instance, &theta).unwrap();
                 let both = environment.try_pick_and_press(instance, &theta).unwrap();
-                assert_eq!(picked == Answer::Feasible, both != Answer::FailedStep(1));
+                assert_eq!(picked == Outcome::Feasible, both != Outcome::FailedStep(1));
                 let place = match both {
-                    Answer::Feasible => 0,
-                    Answer::FailedStep(step) => step as usize,
+                    Outcome::Feasible => 0,
+                    Outcome::FailedStep(step) => usize::from(step),
+                    Outcome::Unknown => panic!("the simulator knows"),
                 };
                 seen[place] += 1;
             }

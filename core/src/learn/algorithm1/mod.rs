@@ -44,7 +44,7 @@ pub use config::{Capacity, Config, Memory, Report};
 
 use super::log::Observation;
 use super::problem::Problem;
-use super::{Answer, Learner, Query, cut};
+use super::{Learner, Outcome, Query};
 use crate::domain::{Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene};
 use crate::error::Error;
 use crate::grammar::{Features, Formula, Hypotheses, Inequality};
@@ -67,8 +67,10 @@ enum Phase {
 /// The thesis's learner.
 ///
 /// ```
-/// use critreg::domain::{Domain, Node};
-/// use critreg::learn::*;
+/// use critreg::domain::Domain;
+/// use critreg::learn::algorithm1::{Bounds, Capacity, Config, Memory};
+/// use critreg::learn::{Algorithm1, Observation, Outcome, Problem, learn_region};
+/// use critreg::{domain::Node, table::Blank};
 /// # fn main() -> Result<(), critreg::Error> {
 /// let domain = Domain::parse(
 ///     "object wall { x: length, y: length }
@@ -77,15 +79,12 @@ enum Phase {
 /// )?;
 /// let problem = Problem::new(&domain, &[2.0, 0.0, 3.0, 0.0], 2)?;
 /// let capacity = Capacity { hypotheses: 1024, observations: 64 };
-/// let (mut nodes, mut values) = ([Node::Number(0.0); 160], [0.0; 160]);
-/// let (mut pairs, mut bounds) = ([0; 256], [Bounds::default(); 40]);
-/// let mut observations = [Observation::default(); 64];
 /// let memory = Memory {
-///     features: &mut nodes,
-///     values: &mut values,
-///     pairs: &mut pairs,
-///     bounds: &mut bounds,
-///     observations: &mut observations,
+///     features: &mut [Node::BLANK; 160],
+///     values: &mut [0.0; 160],
+///     pairs: &mut [0; 256],
+///     bounds: &mut [Bounds::BLANK; 40],
+///     observations: &mut [Observation::BLANK; 64],
 /// };
 /// let theta = |reach| [reach, 0.0, 0.0, 0.0, 0.0, 0.0];
 /// let config = Config {
@@ -98,7 +97,7 @@ enum Phase {
 /// // The hand must stay before the wall.
 /// let region = learn_region(&mut learner, &problem, |_, query| {
 ///     let wall = problem.instance(query.instance)?[0];
-///     Ok::<_, critreg::Error>(Answer::from_feasible(query.theta[0] < wall))
+///     Ok::<_, critreg::Error>(Outcome::from_feasible(query.theta[0] < wall))
 /// })?;
 /// assert!(!region.formula().constraints().is_empty());
 /// # Ok(())
@@ -139,14 +138,11 @@ impl<'m, R: Real> Algorithm1<'m, R> {
                 "Algorithm 1 learns about parameters, and the domain declares none",
             ));
         }
-        let nodes = cut(memory.features, capacity.features())?;
-        let values = cut(memory.values, capacity.features())?;
-        let features = Features::enumerate(domain, nodes, values)?;
-        let pairs = cut(memory.pairs, capacity.pairs())?;
-        let hypotheses = Hypotheses::enumerate(&features, pairs);
-        let bounds = BoundTable::new(cut(memory.bounds, capacity.lefts())?);
-        let observations = cut(memory.observations, capacity.observations)?;
-        let observations = Table::new(observations, "observations");
+        let memory = memory.cut(capacity)?;
+        let features = Features::enumerate(domain, memory.features, memory.values)?;
+        let hypotheses = Hypotheses::enumerate(&features, memory.pairs);
+        let bounds = BoundTable::new(memory.bounds);
+        let observations = Table::new(memory.observations, "observations");
         for sample in [config.negative, config.positive].iter().flatten() {
             check_sample(domain, sample)?;
         }
@@ -271,11 +267,10 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         self.region = Region::new(domain, formula);
     }
 
-    fn advance(&mut self, feasible: bool) {
+    fn advance(&mut self) {
         let remaining = self.hypotheses.remaining();
         self.report.remaining = remaining;
         self.report.calls += 1;
-        self.report.feasible += usize::from(feasible);
         self.phase = match self.phase {
             Phase::Negative => {
                 self.report.after_negative = Some(remaining);
@@ -304,20 +299,25 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         Ok(query)
     }
 
-    fn tell(&mut self, problem: &Problem<'_>, answer: Answer) -> Result<(), Error> {
+    fn tell(&mut self, problem: &Problem<'_>, outcome: Outcome) -> Result<(), Error> {
         let Some(query) = self.pending else {
             return Err(Error::OutOfSequence("ask for a sample before telling"));
         };
         problem.check_begun(self.problem)?;
         self.evaluate(problem, &query)?;
-        self.observations.push(Observation::new(&query, answer)?)?;
+        self.observations.push(Observation::new(&query, outcome)?)?;
         self.pending = None;
-        let feasible = answer.is_feasible();
-        self.hypotheses.update(&self.features, feasible);
-        self.bounds
-            .settle(&mut self.hypotheses, &self.features, feasible);
-        self.rebuild_region(problem.domain());
-        self.advance(feasible);
+        match outcome.label() {
+            None => self.report.unknown += 1,
+            Some(feasible) => {
+                self.hypotheses.update(&self.features, feasible);
+                self.bounds
+                    .tighten(&mut self.hypotheses, &self.features, feasible);
+                self.rebuild_region(problem.domain());
+                self.report.feasible += usize::from(feasible);
+            }
+        }
+        self.advance();
         Ok(())
     }
 

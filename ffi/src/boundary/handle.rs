@@ -1,0 +1,69 @@
+//! Handles: what a C program gets a pointer to, in memory that it lends.
+
+use crate::boundary::pointer;
+use crate::boundary::status::{Failure, Fallible};
+
+/// A handle carries a seal that depends on its kind and address, so that memory
+/// that is no handle, was retired or was moved is refused.
+///
+/// # Safety
+/// `seal` points to a word inside of the handle that nothing else writes to.
+pub(crate) unsafe trait Handle: Sized {
+    /// Tells kinds of handles apart.
+    const KIND: u64;
+    /// The name of arguments of this kind.
+    const NAME: &'static str;
+
+    /// Where the seal lies, in a handle that need not be one.
+    fn seal(handle: *const Self) -> *const usize;
+}
+
+/// What a handle of this kind carries at an address.
+fn seal_at<H: Handle>(address: usize) -> usize {
+    address ^ (H::KIND as usize)
+}
+
+/// Writes a handle and seals it; what lay there before is lost.
+///
+/// # Safety
+/// The place is aligned and writable, and nothing else refers to it.
+pub(crate) unsafe fn put<H: Handle>(place: *mut H, handle: H) {
+    // SAFETY: by this function's contract; handles need no drop.
+    unsafe {
+        place.write(handle);
+        seal(place);
+    }
+}
+
+/// Seals a handle that was written but for its seal.
+///
+/// # Safety
+/// As for [`put`].
+pub(crate) unsafe fn seal<H: Handle>(place: *mut H) {
+    // SAFETY: by this function's contract.
+    unsafe { H::seal(place).cast_mut().write(seal_at::<H>(place.addr())) }
+}
+
+/// Breaks the seal of whatever lies in the memory of a handle.
+///
+/// # Safety
+/// As for [`put`].
+pub(crate) unsafe fn retire<H: Handle>(place: *mut H) {
+    // SAFETY: by this function's contract; a word may have any value.
+    unsafe { H::seal(place).cast_mut().write(0) }
+}
+
+/// The handle at a pointer.
+///
+/// # Safety
+/// If not NULL and aligned, the pointer is readable for as long as a handle is.
+pub(crate) unsafe fn open<'a, H: Handle>(handle: *const H) -> Fallible<&'a H> {
+    pointer::check(handle, H::NAME)?;
+    // SAFETY: readable by this function's contract; a word may have any value.
+    let seal = unsafe { H::seal(handle).read() };
+    if seal != seal_at::<H>(handle.addr()) {
+        return Err(Failure::NotAHandle);
+    }
+    // SAFETY: the seal shows that `put` wrote a handle there.
+    Ok(unsafe { &*handle })
+}

@@ -1,0 +1,142 @@
+//! A learner in the caller's memory.
+
+use crate::boundary::handle::{self, Handle};
+use crate::boundary::pointer;
+use crate::boundary::status::{CRITREG_BUSY, CRITREG_OK, Failure, Fallible, critreg_status};
+use crate::learner::any::AnyLearner;
+use crate::learner::report::{critreg_progress, critreg_report};
+use crate::region::handle::critreg_region;
+use core::cell::{Cell, RefCell};
+use core::ffi::c_void;
+use critreg_core::domain::Domain;
+use critreg_core::learn::{Learner as _, Problem};
+
+/// A learner. It lies at the start of the memory it was made in.
+pub struct critreg_learner {
+    seal: usize,
+    /// What the last call left behind, also readable from a callback.
+    pub(crate) report: Cell<critreg_report>,
+    pub(crate) finished: Cell<bool>,
+    pub(crate) message: Cell<Option<Failure>>,
+    pub(crate) domain: &'static Domain<'static>,
+    inner: RefCell<Inner>,
+}
+
+/// What a call on a learner borrows.
+pub(crate) struct Inner {
+    pub(crate) learner: AnyLearner,
+    /// Room for the handle of the learned region; a part of the caller's memory.
+    pub(crate) region: *mut critreg_region,
+    pub(crate) progress: critreg_progress,
+    pub(crate) progress_data: *mut c_void,
+}
+
+impl Inner {
+    /// Makes the region handle that was given out unusable, because what it
+    /// describes is about to change.
+    pub(crate) fn retire_region(&mut self) {
+        // SAFETY: the region's part is reserved for the handle, and nothing refers
+        // to it while a function runs that changes the learner.
+        unsafe { handle::retire(self.region) }
+    }
+
+    /// Copies the learned region into its handle. The copy is what makes the handle
+    /// refer to no memory that the learner writes to.
+    #[inline(never)]
+    pub(crate) fn give_region(
+        &mut self,
+        domain: &'static Domain<'static>,
+    ) -> Fallible<*const critreg_region> {
+        let region = self.learner.region()?;
+        let (precision, support) = (self.learner.precision(), self.learner.evidence());
+        // SAFETY: the region's part is reserved for the handle; the header forbids to
+        // use the handle while a function runs that may change the learner.
+        unsafe { critreg_region::put(self.region, domain, region, precision, support) };
+        Ok(self.region)
+    }
+}
+
+// SAFETY: the seal is a word of the handle, and private.
+unsafe impl Handle for critreg_learner {
+    const KIND: u64 = 0x6C65_6172_6E65_7263;
+    const NAME: &'static str = "learner";
+
+    fn seal(handle: *const Self) -> *const usize {
+        // SAFETY: a place inside of the handle; nothing is read.
+        unsafe { &raw const (*handle).seal }
+    }
+}
+
+impl critreg_learner {
+    /// Writes and seals a handle; what lay there before is lost.
+    ///
+    /// # Safety
+    /// As for [`handle::put`].
+    pub(crate) unsafe fn put(
+        place: *mut critreg_learner,
+        domain: &'static Domain<'static>,
+        inner: Inner,
+    ) {
+        let made = critreg_learner {
+            seal: 0,
+            report: Cell::new(critreg_report::new(&inner.learner)),
+            finished: Cell::new(inner.learner.is_finished()),
+            message: Cell::new(None),
+            domain,
+            inner: RefCell::new(inner),
+        };
+        // SAFETY: by this function's contract.
+        unsafe { handle::put(place, made) }
+    }
+
+    /// Takes over what the inner learner has to report.
+    #[inline(never)]
+    pub(crate) fn publish(&self, inner: &Inner) {
+        self.report.set(critreg_report::new(&inner.learner));
+        self.finished.set(inner.learner.is_finished());
+    }
+}
+
+/// Runs a call on a learner: refuses it if the learner is in use, and keeps the
+/// words about a failure.
+///
+/// # Safety
+/// As for [`handle::open`].
+pub(crate) unsafe fn with_learner(
+    learner: *mut critreg_learner,
+    body: impl FnOnce(&critreg_learner, &mut Inner) -> Fallible,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
+    let handle = match unsafe { handle::open(learner) } {
+        Ok(handle) => handle,
+        Err(failure) => return failure.status(),
+    };
+    let Ok(mut inner) = handle.inner.try_borrow_mut() else {
+        return CRITREG_BUSY;
+    };
+    let result = body(handle, &mut inner);
+    handle.publish(&inner);
+    match result {
+        Ok(()) => CRITREG_OK,
+        Err(failure) => {
+            handle.message.set(Some(failure));
+            failure.status()
+        }
+    }
+}
+
+/// The problem that the caller's instances make with the learner's domain.
+///
+/// # Safety
+/// If not NULL and aligned, `instances` is readable for `count` instances.
+pub(crate) unsafe fn problem<'a>(
+    handle: &critreg_learner,
+    instances: *const f64,
+    count: usize,
+) -> Fallible<Problem<'a>> {
+    let numbers = handle.domain.instance_len().checked_mul(count);
+    let numbers = numbers.ok_or(Failure::invalid("count is too large"))?;
+    // SAFETY: by this function's contract.
+    let instances = unsafe { pointer::slice(instances, numbers, "instances")? };
+    Ok(Problem::new(handle.domain, instances, count)?)
+}

@@ -1,0 +1,102 @@
+//! What is asked about a learner: whether it is finished, what it learned, how that went.
+
+use crate::boundary::handle;
+use crate::boundary::pointer::Output;
+use crate::boundary::status::{Message, critreg_status, status_of};
+use crate::boundary::structs;
+use crate::boundary::text;
+use crate::learner::handle::{critreg_learner, with_learner};
+use crate::learner::report::critreg_report;
+use crate::region::handle::critreg_region;
+use core::ffi::c_char;
+
+/// Whether there is nothing more to ask.
+///
+/// @param learner The learner; may be called from its callbacks.
+/// @param finished Receives 1 or 0.
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_is_finished(
+    learner: *const critreg_learner,
+    finished: *mut i32,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise.
+    let answer = unsafe { handle::open(learner) }.and_then(|handle| {
+        // SAFETY: as above.
+        let output = unsafe { Output::new(finished, "finished")? };
+        output.write(i32::from(handle.finished.get()));
+        Ok(())
+    });
+    status_of(answer)
+}
+
+/// What is learned so far.
+///
+/// @param learner The learner.
+/// @param region Receives the region. It belongs to the learner and is valid until
+/// the next call of critreg_learn_region(), critreg_tell() or
+/// critreg_learner_resume() on it; after that using it gives
+/// CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
+/// what supports its constraints is not saved.
+/// @return CRITREG_NO_REGION if no constraint explains the observations;
+/// CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_region(
+    learner: *mut critreg_learner,
+    region: *mut *const critreg_region,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let output = Output::new(region, "region")?;
+            output.write(inner.give_region(handle.domain)?);
+            Ok(())
+        })
+    }
+}
+
+/// How learning went so far.
+///
+/// @param learner The learner; may be called from its callbacks.
+/// @param report A report from critreg_report_init(), to be filled.
+/// @return CRITREG_INVALID_ARGUMENT if the report was not initialised;
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_report(
+    learner: *const critreg_learner,
+    report: *mut critreg_report,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        let handle = handle::open(learner);
+        status_of(handle.and_then(|handle| structs::write(handle.report.get(), report, "report")))
+    }
+}
+
+/// Why the last call on this learner failed that did fail, in words; an empty text
+/// if none did. Calls that take the learner as const, and refusals with
+/// CRITREG_BUSY or CRITREG_NOT_A_HANDLE, leave no words.
+///
+/// @param learner The learner; may be called from its callbacks.
+/// @param text Receives the words, ended by NUL; 128 bytes are always enough.
+/// @param len Length of text in bytes; 0 to ask for the length only.
+/// @param needed NULL, or receives the length of the words with their NUL, also
+/// if the buffer is too small.
+/// @return CRITREG_TOO_SMALL (nothing but needed is written);
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_message(
+    learner: *const critreg_learner,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        let handle = handle::open(learner);
+        status_of(
+            handle
+                .and_then(|handle| text::write(&Message(handle.message.get()), text, len, needed)),
+        )
+    }
+}

@@ -1,0 +1,222 @@
+//! Asking and telling.
+
+use crate::boundary::pointer::{self, Output, OutputArray};
+use crate::boundary::status::{Failure, Fallible, critreg_status, stop_unless_ok};
+use crate::learner::handle::{Inner, critreg_learner, problem, with_learner};
+use crate::region::handle::critreg_region;
+use core::ffi::c_void;
+use critreg_core::learn::{Learner as _, Outcome, Problem, Query};
+
+/// What came of an action: CRITREG_FEASIBLE, or the number of the step of an
+/// action sequence that failed, counted from one.
+///
+/// CRITREG_VERSION_SPACE learns what each step needs from the samples that reached
+/// it; the steps before the one that failed worked. It accepts numbers up to
+/// critreg_config.steps. CRITREG_ALGORITHM1 makes no difference between steps.
+pub type critreg_outcome = i32;
+
+/// The action worked.
+pub const CRITREG_FEASIBLE: critreg_outcome = 0;
+/// The action failed; in a sequence of actions, the first one did. Failures of
+/// later steps are 2, 3 and so on.
+pub const CRITREG_INFEASIBLE: critreg_outcome = 1;
+
+/// Whatever can tell whether an action works: a simulator, a motion planner, a
+/// robot.
+///
+/// It must return: no longjmp(), no C++ exception may leave it. It may not touch
+/// the memory of the learner, nor call functions on it other than those that take
+/// it as const; the others return CRITREG_BUSY.
+///
+/// @param user_data What the program passed to critreg_learn_region().
+/// @param instance The instance: one number per attribute.
+/// @param theta The parameters to try: one number each.
+/// @param outcome Receives what came of it.
+/// @return CRITREG_OK if there is an outcome. Anything else stops learning and
+/// becomes the status of critreg_learn_region(): CRITREG_CANCELLED, or
+/// CRITREG_USER_STATUS and above. The sample then stays to be tried.
+pub type critreg_simulate = Option<
+    unsafe extern "C" fn(
+        user_data: *mut c_void,
+        instance: *const f64,
+        theta: *const f64,
+        outcome: *mut critreg_outcome,
+    ) -> critreg_status,
+>;
+
+/// Learns a region by trying samples with a simulator until the learner has
+/// nothing more to ask. It is the loop critreg_ask(), simulate(), critreg_tell().
+///
+/// ```c
+/// static uint64_t memory[CRITREG_LEARNER_WORDS(4096, 256)];
+/// critreg_learner *learner;
+/// const critreg_region *region;
+/// char text[512];
+///
+/// if (critreg_learner_init(memory, sizeof memory, DOMAIN, NULL, &learner) == CRITREG_OK
+///     && critreg_learn_region(learner, instances, 4, try_grasp, NULL, &region) == CRITREG_OK
+///     && critreg_region_format(region, text, sizeof text, NULL) == CRITREG_OK)
+///     puts(text);
+/// ```
+///
+/// If it was stopped, call it again to go on; it begins with the sample that was
+/// not told. If learning is finished, it only returns the region.
+///
+/// @param learner The learner.
+/// @param instances The problem instances, one behind the other: count times one
+/// number per attribute. They must be the same in all calls until learning is
+/// finished.
+/// @param count How many instances there are, at least one.
+/// @param simulate Tries a sample.
+/// @param user_data Passed to simulate.
+/// @param region NULL, or receives the region; it is valid as the one of
+/// critreg_learner_region() is.
+/// @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
+/// there is no room for another observation (critreg_learner_region() still has
+/// what was learned) or for so many instances (critreg_config.instances); the status of a callback that was not CRITREG_OK;
+/// CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative, was
+/// not written or is a step that the configuration does not have;
+/// CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
+/// if the instances changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER,
+/// CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learn_region(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    simulate: critreg_simulate,
+    user_data: *mut c_void,
+    region: *mut *const critreg_region,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let simulate = simulate.ok_or(Failure::Null("simulate"))?;
+            if !region.is_null() {
+                pointer::check(region, "region")?;
+            }
+            let problem = problem(handle, instances, count)?;
+            inner.retire_region();
+            while !inner.learner.is_finished() {
+                let query = inner.learner.ask(&problem)?;
+                let instance = problem.instance(query.instance)?;
+                let mut outcome: critreg_outcome = -1;
+                let status = simulate(
+                    user_data,
+                    instance.as_ptr(),
+                    query.theta.as_ptr(),
+                    &mut outcome,
+                );
+                stop_unless_ok(status, "simulate")?;
+                inner.learner.tell(&problem, answer(outcome)?)?;
+                show_progress(handle, inner)?;
+            }
+            let learned = inner.give_region(handle.domain)?;
+            if !region.is_null() {
+                region.write(learned);
+            }
+            Ok(())
+        })
+    }
+}
+
+/// Publishes the report and shows it to the callback. Never inlined: what is shown takes
+/// no stack while a question is chosen.
+#[inline(never)]
+fn show_progress(handle: &critreg_learner, inner: &Inner) -> Fallible {
+    handle.publish(inner);
+    let Some(progress) = inner.progress else {
+        return Ok(());
+    };
+    let report = handle.report.get();
+    // SAFETY: the header says what the callback may do; the report outlives the call.
+    stop_unless_ok(
+        unsafe { progress(inner.progress_data, &report) },
+        "progress",
+    )
+}
+
+fn answer(outcome: critreg_outcome) -> Fallible<Outcome> {
+    match u32::try_from(outcome) {
+        Ok(0) => Ok(Outcome::Feasible),
+        Ok(step @ 1..=255) => Ok(Outcome::FailedStep(step as u8)),
+        _ => Err(Failure::invalid("the outcome is negative or was not set")),
+    }
+}
+
+/// Tells which sample to try next. Asking again before telling gives the same one.
+///
+/// ```c
+/// int32_t finished = 0;
+/// while (critreg_is_finished(learner, &finished) == CRITREG_OK && !finished) {
+///     size_t instance;
+///     double theta[2];
+///     critreg_outcome outcome;
+///     CHECK(critreg_ask(learner, instances, count, &instance, theta));
+///     outcome = try_on_the_robot(instance, theta);
+///     CHECK(critreg_tell(learner, instances, count, outcome));
+/// }
+/// ```
+///
+/// @param learner The learner.
+/// @param instances The problem instances, as for critreg_learn_region(). They are
+/// checked in every call.
+/// @param count How many there are.
+/// @param instance Receives the index of the instance to try it in.
+/// @param theta Receives the parameters: one number each. NULL if there are none.
+/// @return CRITREG_OUT_OF_SEQUENCE if learning is finished; CRITREG_MISMATCH if
+/// the instances changed; CRITREG_CAPACITY_EXCEEDED if there is no room for so
+/// many (critreg_config.instances); CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE,
+/// CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_ask(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    instance: *mut usize,
+    theta: *mut f64,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let index = Output::new(instance, "instance")?;
+            let numbers = handle.domain.parameters().len();
+            let parameters = OutputArray::new(theta, numbers, "theta")?;
+            let Query { instance, theta } =
+                inner.learner.ask(&problem(handle, instances, count)?)?;
+            index.write(instance);
+            parameters.write(&theta);
+            Ok(())
+        })
+    }
+}
+
+/// Tells the learner what came of the sample it asked for. If this fails, the
+/// sample is still to be told.
+///
+/// @param learner The learner.
+/// @param instances The problem instances, as for critreg_ask().
+/// @param count How many there are.
+/// @param outcome What came of the sample.
+/// @return CRITREG_OUT_OF_SEQUENCE if nothing was asked; CRITREG_CAPACITY_EXCEEDED
+/// if there is no room for another observation; CRITREG_INVALID_ARGUMENT for an
+/// outcome that is negative or a step that the configuration does not have; and as
+/// critreg_ask().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_tell(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    outcome: critreg_outcome,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let answer = answer(outcome)?;
+            let problem: Problem<'_> = problem(handle, instances, count)?;
+            inner.learner.tell(&problem, answer)?;
+            inner.retire_region();
+            Ok(())
+        })
+    }
+}

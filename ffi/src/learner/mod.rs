@@ -1,0 +1,23 @@
+//! Learners.
+//!
+//! | module | content |
+//! |---|---|
+//! | [`config`] | what a learner is told to do |
+//! | `any` | the learners of the core behind one type |
+//! | [`handle`] | a learner in the caller's memory |
+//! | `layout` | where its parts lie |
+//! | [`making`] | making one |
+//! | [`learning`] | asking and telling |
+//! | [`inspection`] | what is asked about one: whether it is finished, what it learned |
+//! | [`report`] | how learning went |
+//! | [`saving`] | saving a run and resuming it |
+
+pub(crate) mod any;
+pub mod config;
+pub mod handle;
+pub mod inspection;
+pub(crate) mod layout;
+pub mod learning;
+pub mod making;
+pub mod report;
+pub mod saving;

@@ -1,0 +1,76 @@
+//! Saving a run and resuming it.
+
+use crate::boundary::pointer;
+use crate::boundary::status::critreg_status;
+use crate::boundary::text;
+use crate::learner::handle::{critreg_learner, problem, with_learner};
+use critreg_core::learn;
+
+/// Saves what a learner was told, so that a run can be resumed: versioned,
+/// checksummed, the same on every machine. A sample that was asked for but not
+/// told is asked for again after resuming.
+///
+/// @param learner The learner.
+/// @param instances The problem instances, as for critreg_ask().
+/// @param count How many there are.
+/// @param bytes Receives the bytes.
+/// @param len Length of bytes; 0 to ask for the length only.
+/// @param needed NULL, or receives how many bytes it takes, also if the buffer is
+/// too small.
+/// @return CRITREG_TOO_SMALL (nothing but needed is written);
+/// CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_save(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    bytes: *mut u8,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let problem = problem(handle, instances, count)?;
+            let length = learn::saved_len(&inner.learner, &problem);
+            text::write_bytes(length, bytes, len, needed, |bytes| {
+                Ok(learn::save(&inner.learner, &problem, bytes)?)
+            })
+        })
+    }
+}
+
+/// Brings a fresh learner to the state that critreg_learner_save() wrote, by
+/// replaying what was told.
+///
+/// @param learner A learner that was just made, with the domain, configuration and
+/// number of hypotheses of the saved one.
+/// @param instances The instances of the saved run.
+/// @param count How many there are.
+/// @param bytes The saved bytes.
+/// @param len How many there are.
+/// @return CRITREG_CORRUPT for damaged bytes; CRITREG_MISMATCH if they belong to
+/// another domain, instances, configuration or number of hypotheses;
+/// CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_CAPACITY_EXCEEDED
+/// if there is no room for all observations: in all these cases nothing is told;
+/// CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_resume(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    bytes: *const u8,
+    len: usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let problem = problem(handle, instances, count)?;
+            let bytes = pointer::slice(bytes, len, "bytes")?;
+            inner.retire_region();
+            Ok(learn::resume(&mut inner.learner, &problem, bytes)?)
+        })
+    }
+}

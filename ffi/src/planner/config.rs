@@ -1,0 +1,215 @@
+//! What a planner is told to do, and what it has room for.
+
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::boundary::structs::{self, Versioned};
+use critreg_core::plan::{self, Heuristic, MAX_SKELETON};
+use critreg_core::task::MAX_ARGUMENTS;
+
+/// For critreg_planner_config.heuristic: LM-cut (Helmert and Domshlak 2009), the
+/// default. Never too high, so that shorter sequences come before longer ones.
+pub const CRITREG_LM_CUT: u32 = 1;
+
+/// For critreg_planner_config.heuristic: h-max (Bonet and Geffner 2001), never
+/// above LM-cut.
+pub const CRITREG_H_MAX: u32 = 2;
+
+/// For critreg_planner_config.heuristic: h-add (Bonet and Geffner 2001). It may be
+/// too high, so that longer sequences can come before shorter ones.
+pub const CRITREG_H_ADD: u32 = 3;
+
+/// For critreg_planner_config.heuristic: none. The search is breadth first.
+pub const CRITREG_BLIND: u32 = 4;
+
+/// Most objects of an atom, and most parameters of a PDDL action.
+pub const CRITREG_MAX_ARGUMENTS: usize = 4;
+
+/// Most operators in a plan, and in a sequence of them.
+pub const CRITREG_MAX_PLAN_LENGTH: u32 = 128;
+
+/// Operators in the longest plan unless the configuration tells.
+pub const CRITREG_DEFAULT_PLAN_LENGTH: u32 = 32;
+
+/// Bytes for PDDL texts that a planner has room for unless the configuration
+/// tells.
+pub const CRITREG_DEFAULT_PDDL_BYTES: u32 = 8192;
+
+/// Ground operators that a planner has room for unless the configuration tells.
+pub const CRITREG_DEFAULT_OPERATORS: u32 = 256;
+
+/// Nodes of the search that a planner has room for unless the configuration tells.
+pub const CRITREG_DEFAULT_NODES: u32 = 4096;
+
+/// Longest domain or problem text of a planner in bytes, with its NUL.
+pub const CRITREG_PDDL_TEXT_MAX: usize = 65_536;
+
+const _: () = assert!(CRITREG_MAX_ARGUMENTS == MAX_ARGUMENTS);
+const _: () = assert!(CRITREG_MAX_PLAN_LENGTH as usize == MAX_SKELETON);
+
+/// How to plan, how long, and with how much memory. Fill it with
+/// critreg_planner_config_init(), set state_len, and change what you like. Nothing
+/// in it is kept after critreg_planner_init() returns.
+///
+/// Budgets are counts, not times: the same inputs end in the same way on every
+/// machine.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct critreg_planner_config {
+    /// Size of this struct in bytes, from critreg_planner_config_init().
+    pub struct_size: u32,
+    /// What guides the search: CRITREG_LM_CUT, the default, CRITREG_H_MAX,
+    /// CRITREG_H_ADD or CRITREG_BLIND.
+    pub heuristic: u32,
+    /// Numbers of a state, at least 1. Default 0, which is refused: say how many.
+    pub state_len: u32,
+    /// Most plan skeletons to refine. Default 1000.
+    pub max_skeletons: u32,
+    /// Tries of a step with parameters before an earlier one is tried again; a
+    /// step without any has one. Default 10.
+    pub max_tries: u32,
+    /// Most operators in a plan, from 1 to CRITREG_MAX_PLAN_LENGTH; each takes
+    /// memory for a state. Default CRITREG_DEFAULT_PLAN_LENGTH.
+    pub max_length: u32,
+    /// Most low-level actions in a plan, as execute counts them. Default 100.
+    pub max_actions: u32,
+    /// Most calls of execute. Default 10000.
+    pub max_samples: u32,
+    /// How many nodes are expanded and samples drawn with advice: what advise
+    /// postpones, what sample draws from a region or finds to be empty. If there is
+    /// no plan by then, planning begins anew without any, and so do the limits
+    /// above. So wrong advice costs at most so much, but never a plan. Default 1024.
+    pub patience: u32,
+    /// Bytes to have room for in the domain and problem text together, their NULs
+    /// included. Default CRITREG_DEFAULT_PDDL_BYTES.
+    pub pddl_bytes: u32,
+    /// Ground operators to have room for: every choice of objects for every PDDL
+    /// action that the static preconditions admit. One with more than eight
+    /// preconditions and add effects counts for several. Default
+    /// CRITREG_DEFAULT_OPERATORS.
+    pub operators: u32,
+    /// Nodes of the search to have room for: sequences of operators that are
+    /// created. Default CRITREG_DEFAULT_NODES.
+    pub nodes: u32,
+}
+
+// SAFETY: it is repr(C) and starts with struct_size.
+unsafe impl Versioned for critreg_planner_config {
+    const FIRST: usize = size_of::<critreg_planner_config>();
+}
+
+/// What a planner has room for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PlannerCapacity {
+    pub(crate) pddl_bytes: usize,
+    pub(crate) operators: usize,
+    pub(crate) nodes: usize,
+    pub(crate) length: usize,
+    pub(crate) state_len: usize,
+}
+
+impl PlannerCapacity {
+    /// Links between atoms and operators.
+    pub(crate) const fn links(self) -> usize {
+        self.operators.saturating_mul(8)
+    }
+
+    /// Estimates of the heuristic to remember.
+    pub(crate) const fn estimates(self) -> usize {
+        self.nodes / 16 + 1
+    }
+
+    /// Numbers of the states after each step, and of the initial one.
+    pub(crate) const fn numbers(self) -> usize {
+        self.length.saturating_add(1).saturating_mul(self.state_len)
+    }
+}
+
+fn defaults() -> critreg_planner_config {
+    let settings = plan::Config::default();
+    critreg_planner_config {
+        struct_size: size_of::<critreg_planner_config>() as u32,
+        heuristic: CRITREG_LM_CUT,
+        state_len: 0,
+        max_skeletons: settings.max_skeletons,
+        max_tries: settings.max_tries,
+        max_length: CRITREG_DEFAULT_PLAN_LENGTH,
+        max_actions: settings.max_actions,
+        max_samples: settings.max_samples,
+        patience: settings.patience,
+        pddl_bytes: CRITREG_DEFAULT_PDDL_BYTES,
+        operators: CRITREG_DEFAULT_OPERATORS,
+        nodes: CRITREG_DEFAULT_NODES,
+    }
+}
+
+/// Reads a configuration.
+///
+/// # Safety
+/// If the pointer is not NULL and aligned, its `struct_size` is readable and as
+/// many bytes are.
+pub(crate) unsafe fn read(
+    config: *const critreg_planner_config,
+) -> Fallible<critreg_planner_config> {
+    // SAFETY: by this function's contract; every bit pattern is a value of each
+    // field.
+    unsafe { structs::read(config, defaults(), "config") }
+}
+
+impl critreg_planner_config {
+    /// What it asks to have room for.
+    pub(crate) fn capacity(&self) -> Fallible<PlannerCapacity> {
+        if self.state_len == 0 {
+            return Err(Failure::invalid("config.state_len is to be set"));
+        }
+        if !(1..=CRITREG_MAX_PLAN_LENGTH).contains(&self.max_length) {
+            return Err(Failure::invalid("config.max_length is from 1 to 128"));
+        }
+        if self.max_tries == 0 {
+            return Err(Failure::invalid("config.max_tries is at least 1"));
+        }
+        Ok(PlannerCapacity {
+            pddl_bytes: self.pddl_bytes as usize,
+            operators: self.operators as usize,
+            nodes: self.nodes as usize,
+            length: self.max_length as usize,
+            state_len: self.state_len as usize,
+        })
+    }
+
+    /// What [`plan::Planner`] wants to know.
+    pub(crate) fn settings(&self) -> Fallible<plan::Config> {
+        let heuristic = match self.heuristic {
+            CRITREG_LM_CUT => Heuristic::LandmarkCut,
+            CRITREG_H_MAX => Heuristic::Max,
+            CRITREG_H_ADD => Heuristic::Additive,
+            CRITREG_BLIND => Heuristic::Blind,
+            _ => return Err(Failure::invalid("there is no heuristic with this number")),
+        };
+        Ok(plan::Config {
+            heuristic,
+            max_skeletons: self.max_skeletons,
+            max_tries: self.max_tries,
+            max_length: self.max_length as usize,
+            max_actions: self.max_actions,
+            max_samples: self.max_samples,
+            patience: self.patience,
+        })
+    }
+}
+
+/// Fills a configuration with the defaults.
+///
+/// @param config The configuration.
+/// @param size sizeof *config, as for critreg_config_init().
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+/// size is smaller than the struct ever was, or larger than this library knows.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_planner_config_init(
+    config: *mut critreg_planner_config,
+    size: usize,
+) -> critreg_status {
+    let mut value = defaults();
+    value.struct_size = u32::try_from(size).unwrap_or(0);
+    let first = critreg_planner_config::FIRST;
+    // SAFETY: the header makes it the caller's promise.
+    status_of(unsafe { structs::init(config, size, first, value) })
+}

@@ -1,0 +1,107 @@
+//! A planner in the caller's memory.
+
+use crate::boundary::handle::{self, Handle};
+use crate::boundary::status::{
+    CRITREG_BUSY, CRITREG_OK, Failure, Fallible, Message, critreg_status,
+};
+use crate::planner::metrics::critreg_metrics;
+use crate::planner::tables::Tables;
+use core::cell::{Cell, RefCell};
+use core::fmt;
+use critreg_core::pddl::Problem;
+use critreg_core::plan;
+use critreg_core::task::GroundAtom;
+
+/// A planner for one problem. It lies at the start of the memory it was made in.
+pub struct critreg_planner {
+    seal: usize,
+    /// What the last call left behind, also readable from a callback.
+    pub(crate) metrics: Cell<critreg_metrics>,
+    message: Cell<Option<Failure>>,
+    /// The atom that the last failure is about, if it is one.
+    pub(crate) culprit: Cell<Option<GroundAtom>>,
+    problem: &'static Problem<'static>,
+    inner: RefCell<Inner>,
+}
+
+/// What a call on a planner borrows.
+pub(crate) struct Inner {
+    pub(crate) tables: Tables,
+    pub(crate) settings: plan::Config,
+    /// How many steps of the tables are the plan that was found last.
+    pub(crate) plan_length: usize,
+}
+
+// SAFETY: the seal is a word of the handle, and private.
+unsafe impl Handle for critreg_planner {
+    const KIND: u64 = 0x706C_616E_6E65_7263;
+    const NAME: &'static str = "planner";
+
+    fn seal(handle: *const Self) -> *const usize {
+        // SAFETY: a place inside of the handle; nothing is read.
+        unsafe { &raw const (*handle).seal }
+    }
+}
+
+impl critreg_planner {
+    /// Writes and seals a handle; what lay there before is lost.
+    ///
+    /// # Safety
+    /// As for [`handle::put`].
+    pub(crate) unsafe fn put(place: *mut critreg_planner, tables: Tables, settings: plan::Config) {
+        let made = critreg_planner {
+            seal: 0,
+            metrics: Cell::new(critreg_metrics::NONE),
+            message: Cell::new(None),
+            culprit: Cell::new(None),
+            problem: tables.problem,
+            inner: RefCell::new(Inner {
+                tables,
+                settings,
+                plan_length: 0,
+            }),
+        };
+        // SAFETY: by this function's contract.
+        unsafe { handle::put(place, made) }
+    }
+}
+
+/// Runs a call on a planner: refuses it if the planner is in use, and keeps the
+/// words about a failure.
+///
+/// # Safety
+/// As for [`handle::open`].
+pub(crate) unsafe fn with_planner(
+    planner: *mut critreg_planner,
+    body: impl FnOnce(&critreg_planner, &mut Inner) -> Fallible,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
+    let handle = match unsafe { handle::open(planner) } {
+        Ok(handle) => handle,
+        Err(failure) => return failure.status(),
+    };
+    let Ok(mut inner) = handle.inner.try_borrow_mut() else {
+        return CRITREG_BUSY;
+    };
+    match body(handle, &mut inner) {
+        Ok(()) => CRITREG_OK,
+        Err(failure) => {
+            handle.message.set(Some(failure));
+            failure.status()
+        }
+    }
+}
+
+/// A failure, and the atom it is about.
+pub(crate) struct Words<'a>(pub(crate) &'a critreg_planner);
+
+impl fmt::Display for Words<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Words(handle) = self;
+        Message(handle.message.get()).fmt(f)?;
+        match handle.culprit.get() {
+            Some(atom) => write!(f, ": {}", handle.problem.atom_text(&atom)),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! What is asked about the last planning: what it cost, what stood in its way.
+
+use crate::boundary::handle;
+use crate::boundary::pointer::Output;
+use crate::boundary::status::{Failure, critreg_status, status_of};
+use crate::boundary::structs;
+use crate::planner::handle::{Inner, critreg_planner, with_planner};
+use crate::planner::metrics::critreg_metrics;
+use core::ffi::c_char;
+
+/// What the last critreg_plan() cost, however it ended.
+///
+/// @param planner The planner; may be called from its callbacks.
+/// @param metrics Metrics from critreg_metrics_init(), to be filled.
+/// @return CRITREG_INVALID_ARGUMENT if the metrics were not initialised;
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_planner_metrics(
+    planner: *const critreg_planner,
+    metrics: *mut critreg_metrics,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        let handle = handle::open(planner);
+        status_of(
+            handle.and_then(|handle| structs::write(handle.metrics.get(), metrics, "metrics")),
+        )
+    }
+}
+
+/// How often steps of a PDDL action failed in the last critreg_plan().
+///
+/// @param planner The planner.
+/// @param name The name of the action, ended by NUL; case does not matter.
+/// @param count Receives how often.
+/// @return CRITREG_INVALID_ARGUMENT if there is no such action; CRITREG_BUSY,
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_planner_failures(
+    planner: *mut critreg_planner,
+    name: *const c_char,
+    count: *mut u32,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_planner(planner, |_, inner: &mut Inner| {
+            let output = Output::new(count, "count")?;
+            let failures = inner.tables.failures.get(inner.tables.action(name)?);
+            output.write(failures.copied().unwrap_or(0));
+            Ok(())
+        })
+    }
+}
+
+/// How often a reason was given in the last critreg_plan().
+///
+/// @param planner The planner.
+/// @param reason The number of the reason, below CRITREG_MAX_REASONS.
+/// @param count Receives how often.
+/// @return CRITREG_INVALID_ARGUMENT for a larger number; CRITREG_BUSY,
+/// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_planner_reasons(
+    planner: *mut critreg_planner,
+    reason: u32,
+    count: *mut u32,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        with_planner(planner, |_, inner: &mut Inner| {
+            let output = Output::new(count, "count")?;
+            let counted = inner.tables.reasons.get(reason as usize);
+            let none = Failure::invalid("reasons are counted below CRITREG_MAX_REASONS");
+            output.write(*counted.ok_or(none)?);
+            Ok(())
+        })
+    }
+}

@@ -1,0 +1,75 @@
+//! What lies in the memory of a planner.
+
+use crate::boundary::pointer;
+use crate::boundary::status::{Failure, Fallible};
+use crate::planner::callbacks::critreg_ground;
+use crate::planner::config::CRITREG_PDDL_TEXT_MAX;
+use crate::planner::names::Names;
+use core::cell::Cell;
+use core::ffi::c_char;
+use critreg_core::domain::MAX_PARAMETERS;
+use critreg_core::pddl::{Grounding, Problem};
+use critreg_core::plan::{Cached, Progress, SearchNode, Step, Waiting};
+use critreg_core::task::GroundOperator;
+
+/// The numbers of a state, in the caller's memory.
+pub(crate) type Numbers = &'static mut [f64];
+
+/// The ranges of an operator's parameters.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Ranges {
+    ranges: [[f64; 2]; MAX_PARAMETERS],
+    count: usize,
+}
+
+impl Ranges {
+    /// These ranges; those beyond the last parameter are left out.
+    pub(crate) fn new(ranges: &[[f64; 2]]) -> Ranges {
+        let mut own = Ranges::default();
+        for (slot, range) in own.ranges.iter_mut().zip(ranges) {
+            *slot = *range;
+            own.count += 1;
+        }
+        own
+    }
+
+    pub(crate) fn as_slice(&self) -> &[[f64; 2]] {
+        self.ranges.get(..self.count).unwrap_or(&[])
+    }
+}
+
+/// The parts of a planner, filled.
+pub(crate) struct Tables {
+    pub(crate) problem: &'static Problem<'static>,
+    pub(crate) grounding: &'static Grounding<'static, 'static>,
+    pub(crate) names: &'static Names,
+    /// The ranges of each action.
+    pub(crate) ranges: &'static mut [Ranges],
+    pub(crate) operators: &'static [GroundOperator],
+    pub(crate) progress: &'static mut [Progress],
+    pub(crate) links: &'static mut [u16],
+    pub(crate) estimates: &'static mut [Cached],
+    pub(crate) nodes: &'static mut [SearchNode],
+    pub(crate) open: &'static mut [Waiting],
+    pub(crate) initial: Numbers,
+    pub(crate) steps: &'static mut [Step<Numbers>],
+    pub(crate) sequence: &'static [Cell<critreg_ground>],
+    pub(crate) failures: &'static mut [u32],
+    pub(crate) reasons: &'static mut [u32],
+}
+
+pub(crate) const NO_ACTION: Failure =
+    Failure::invalid("the PDDL domain has no action of this name");
+
+impl Tables {
+    /// The place of the action with a name.
+    ///
+    /// # Safety
+    /// If not NULL, the name can be read up to its NUL.
+    pub(crate) unsafe fn action(&self, name: *const c_char) -> Fallible<usize> {
+        // SAFETY: by this function's contract.
+        let name = unsafe { pointer::text(name, CRITREG_PDDL_TEXT_MAX, "name")? };
+        let found = self.problem.domain().find_action(name);
+        Ok(usize::from(found.ok_or(NO_ACTION)?.0))
+    }
+}

@@ -1,0 +1,254 @@
+//! The program's callbacks as the world, the sampler and the guide of a planning.
+
+use crate::boundary::rng::critreg_rng_seed;
+use crate::boundary::status::{CRITREG_EMPTY_REGION, Failure, Fallible, stop_unless_ok};
+use crate::planner::callbacks::{
+    CRITREG_KEEP, CRITREG_NO_REASON, CRITREG_POSTPONE, CRITREG_PRUNE, critreg_advise,
+    critreg_callbacks, critreg_draw, critreg_drawn, critreg_ground,
+};
+use crate::planner::names::Names;
+use crate::planner::tables::{Numbers, Ranges};
+use core::cell::Cell;
+use core::ffi::c_void;
+use critreg_core::Error;
+use critreg_core::domain::MAX_PARAMETERS;
+use critreg_core::plan::{Advice, Draw, Drawn, Guide, ReasonId, Sampler, Skeleton, World};
+use critreg_core::random::uniform_in;
+use critreg_core::task::{Atoms, GroundAtom, GroundOperator, Parameters};
+use rand_core::Rng;
+
+/// The program, with what it is asked in: names and ranges of its PDDL texts.
+#[derive(Clone, Copy)]
+pub(crate) struct Program<'a> {
+    pub(crate) callbacks: &'a critreg_callbacks,
+    pub(crate) user_data: *mut c_void,
+    pub(crate) names: &'a Names,
+    pub(crate) ranges: &'a [Ranges],
+    pub(crate) atoms: &'a Atoms,
+}
+
+impl Program<'_> {
+    fn ranges(&self, operator: &GroundOperator) -> &[[f64; 2]] {
+        let ranges = self.ranges.get(usize::from(operator.operator.0));
+        ranges.map_or(&[], Ranges::as_slice)
+    }
+
+    /// Whether an atom holds in a state.
+    pub(crate) fn holds(&self, atom: &GroundAtom, state: &[f64]) -> Fallible<bool> {
+        let ask = self.callbacks.holds.ok_or(Failure::Null("holds"))?;
+        let ground = self.names.atom(atom);
+        let mut holds = -1;
+        // SAFETY: a callback of the program, called as the header promises.
+        let status = unsafe {
+            ask(
+                self.user_data,
+                &ground,
+                state.as_ptr(),
+                state.len(),
+                &mut holds,
+            )
+        };
+        stop_unless_ok(status, "holds")?;
+        match holds {
+            0 => Ok(false),
+            1 => Ok(true),
+            _ => Err(Failure::invalid("holds wrote neither 0 nor 1")),
+        }
+    }
+}
+
+impl World for Program<'_> {
+    type State = Numbers;
+    type Error = Failure;
+
+    fn parameters(&self, operator: &GroundOperator) -> Fallible<usize> {
+        Ok(self.ranges(operator).len())
+    }
+
+    fn holds(&mut self, atom: u32, state: &Numbers) -> Fallible<bool> {
+        let atom = self.atoms.as_slice().get(atom as usize);
+        let atom = atom.ok_or(Error::Mismatch("an atom is not of this problem"))?;
+        Program::holds(self, atom, state)
+    }
+
+    fn execute(
+        &mut self,
+        operator: &GroundOperator,
+        parameters: &[f32],
+        before: &Numbers,
+        after: &mut Numbers,
+    ) -> Fallible<u32> {
+        let run = self.callbacks.execute.ok_or(Failure::Null("execute"))?;
+        let ground = self.names.operator(operator);
+        let mut theta = [0.0; MAX_PARAMETERS];
+        for (value, own) in theta.iter_mut().zip(parameters) {
+            *value = f64::from(*own);
+        }
+        for (value, own) in after.iter_mut().zip(before.iter()) {
+            *value = *own;
+        }
+        let mut actions = 0;
+        // SAFETY: a callback of the program, called as the header promises; the two
+        // states do not overlap.
+        let status = unsafe {
+            run(
+                self.user_data,
+                &ground,
+                theta.as_ptr(),
+                before.as_ptr(),
+                after.as_mut_ptr(),
+                after.len(),
+                &mut actions,
+            )
+        };
+        stop_unless_ok(status, "execute")?;
+        Ok(actions)
+    }
+}
+
+/// Operators as the program gets them: those of the sequence at hand.
+pub(crate) type Sequence<'a> = &'a [Cell<critreg_ground>];
+
+/// Writes a sequence of operators.
+fn write(names: &Names, skeleton: Skeleton<'_>, sequence: Sequence<'_>) -> Fallible {
+    if skeleton.len() > sequence.len() {
+        return Err(Error::CapacityExceeded("operators of a sequence").into());
+    }
+    for (slot, operator) in sequence.iter().zip(skeleton.iter()) {
+        slot.set(names.operator(operator));
+    }
+    Ok(())
+}
+
+/// Where the parameters of a program come from.
+pub(crate) struct Draws<'a> {
+    pub(crate) program: Program<'a>,
+    pub(crate) sequence: Sequence<'a>,
+}
+
+impl<'a> Sampler<Program<'a>> for Draws<'_> {
+    fn sample<R: Rng>(&mut self, draw: &Draw<'_, Numbers>, rng: &mut R) -> Fallible<Drawn> {
+        let Program {
+            callbacks,
+            user_data,
+            names,
+            ..
+        } = self.program;
+        let ranges = self.program.ranges(draw.operator);
+        let Some(sample) = callbacks.sample else {
+            let uniform = |[low, high]: &[f64; 2]| Ok(uniform_in(rng, *low, *high));
+            return rounded(ranges.iter().map(uniform)).map(Drawn::Parameters);
+        };
+        write(names, draw.skeleton, self.sequence)?;
+        let told = critreg_draw {
+            skeleton: self.sequence.as_ptr().cast(),
+            length: draw.skeleton.len(),
+            step: draw.step,
+            state: draw.state.as_ptr(),
+            state_len: draw.state.len(),
+            parameter_count: ranges.len(),
+            attempt: draw.attempt,
+            advised: i32::from(draw.advised),
+        };
+        // A C program has generators of one kind; the planner may have any.
+        let mut own = critreg_rng_seed(rng.next_u64());
+        let mut drawn = critreg_drawn {
+            parameters: [f64::NAN; MAX_PARAMETERS],
+            informed: 0,
+            reason: CRITREG_NO_REASON,
+        };
+        // SAFETY: a callback of the program, called as the header promises.
+        let status = unsafe { sample(user_data, &told, &mut own, &mut drawn) };
+        if status == CRITREG_EMPTY_REGION {
+            return Ok(Drawn::Empty(reason_of(drawn.reason)));
+        }
+        stop_unless_ok(status, "sample")?;
+        let parameters = drawn.parameters.iter().zip(ranges);
+        let checked = rounded(parameters.map(|(value, range)| check(*value, *range)));
+        match drawn.informed {
+            0 => checked.map(Drawn::Parameters),
+            _ => checked.map(Drawn::Informed),
+        }
+    }
+}
+
+/// Parameters as the planner keeps them, in single precision.
+pub(crate) fn rounded(values: impl Iterator<Item = Fallible<f64>>) -> Fallible<Parameters> {
+    let mut parameters = Parameters::new();
+    for value in values {
+        let pushed = parameters.push(value? as f32);
+        pushed.map_err(|_| Error::CapacityExceeded("parameters of an operator"))?;
+    }
+    Ok(parameters)
+}
+
+/// A parameter, if it is in its range.
+fn check(value: f64, [low, high]: [f64; 2]) -> Fallible<f64> {
+    if !value.is_finite() {
+        return Err(Error::NotFinite("a parameter that sample drew").into());
+    }
+    if !(low..=high).contains(&value) {
+        return Err(Failure::invalid(
+            "sample drew a parameter outside of its range",
+        ));
+    }
+    Ok(value)
+}
+
+/// A reason of the program; a number that no reason has is counted with those.
+fn reason_of(number: u32) -> ReasonId {
+    ReasonId(u16::try_from(number).unwrap_or(u16::MAX))
+}
+
+/// The program's advice.
+pub(crate) struct Advisor<'a> {
+    pub(crate) program: Program<'a>,
+    pub(crate) sequence: Sequence<'a>,
+    pub(crate) initial: &'a [f64],
+    /// That advising failed. A guide cannot say so, so everything is pruned from
+    /// then on, which ends the search at once.
+    pub(crate) stopped: Option<Failure>,
+}
+
+impl Advisor<'_> {
+    fn ask(&self, advise: critreg_advise, prefix: Skeleton<'_>) -> Fallible<Advice> {
+        let Some(advise) = advise else {
+            return Ok(Advice::Keep);
+        };
+        let (mut advice, mut reason) = (CRITREG_KEEP, CRITREG_NO_REASON);
+        write(self.program.names, prefix, self.sequence)?;
+        // SAFETY: a callback of the program, called as the header promises.
+        let status = unsafe {
+            advise(
+                self.program.user_data,
+                self.sequence.as_ptr().cast(),
+                prefix.len(),
+                self.initial.as_ptr(),
+                self.initial.len(),
+                &mut advice,
+                &mut reason,
+            )
+        };
+        stop_unless_ok(status, "advise")?;
+        match advice {
+            CRITREG_KEEP => Ok(Advice::Keep),
+            CRITREG_POSTPONE => Ok(Advice::Postpone(reason_of(reason))),
+            CRITREG_PRUNE => Ok(Advice::Prune(reason_of(reason))),
+            _ => Err(Failure::invalid("advise wrote no advice that there is")),
+        }
+    }
+}
+
+impl Guide for Advisor<'_> {
+    fn judge(&mut self, prefix: Skeleton<'_>) -> Advice {
+        const NOTHING: Advice = Advice::Prune(ReasonId(u16::MAX));
+        if self.stopped.is_some() {
+            return NOTHING;
+        }
+        let advice = self.ask(self.program.callbacks.advise, prefix);
+        advice.unwrap_or_else(|failure| {
+            self.stopped = Some(failure);
+            NOTHING
+        })
+    }
+}

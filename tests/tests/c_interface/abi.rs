@@ -1,0 +1,200 @@
+//! The C interface keeps its promises when it is used wrongly, exports what the
+//! header declares and nothing else, and can be used from several files.
+
+use crate::support::{BOTH, compile, library_directory, root, run};
+use critreg::env::stick_button::StickButton;
+use critreg::plan::{Conclusion, Config, Planner, Unguided};
+use critreg::random::generator;
+use critreg::task::Environment;
+use critreg_tests::pick::ENVIRONMENT;
+use critreg_tests::plan::{Grounding, Room};
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::fs;
+use std::process::Command;
+
+/// Compiles and runs a program of `tests/c` in both languages.
+fn passes(name: &str, files: &[&str]) {
+    let directory = root().join("tests/c");
+    let sources: Vec<_> = files.iter().map(|file| directory.join(file)).collect();
+    for language in BOTH {
+        run(&mut Command::new(compile(name, &sources, language)));
+    }
+}
+
+#[test]
+fn wrong_memory_texts_and_configurations() {
+    passes("misuse_init", &["misuse_init.c"]);
+}
+
+#[test]
+fn wrong_handles_instances_and_answers() {
+    passes("misuse_learner", &["misuse_learner.c"]);
+}
+
+#[test]
+fn wrong_callbacks() {
+    passes("misuse_callbacks", &["misuse_callbacks.c"]);
+}
+
+#[test]
+fn wrong_regions() {
+    passes("misuse_region", &["misuse_region.c"]);
+}
+
+#[test]
+fn wrong_planners() {
+    passes("misuse_planner", &["misuse_planner.c"]);
+}
+
+#[test]
+fn wrong_planning() {
+    passes("misuse_planning", &["misuse_planning.c"]);
+}
+
+#[test]
+fn groups_of_any_number() {
+    passes("groups", &["groups.c"]);
+}
+
+#[test]
+fn chains_noise_and_certificates() {
+    passes("learning", &["learning.c"]);
+}
+
+#[test]
+fn learning_with_float() {
+    passes("precision", &["precision.c"]);
+}
+
+#[test]
+fn two_translation_units_include_the_header() {
+    passes("two_units", &["two_units_main.c", "two_units_other.c"]);
+}
+
+/// A C program that plans from PDDL and callbacks finds the plans of the core, in as
+/// many steps of the search.
+#[test]
+fn a_c_program_plans_as_the_core_does() {
+    let source = root().join("tests/c/planning.c");
+    let expected: String = (0..40).map(planned_by_the_core).collect();
+    for language in BOTH {
+        let program = compile("planning", std::slice::from_ref(&source), language);
+        let output = run(&mut Command::new(program));
+        assert_eq!(String::from_utf8(output.stdout).unwrap(), expected);
+    }
+}
+
+/// What the program prints of a task.
+fn planned_by_the_core(seed: u64) -> String {
+    let buttons = 1 + seed as usize % 4;
+    let task = ENVIRONMENT.task(buttons..=buttons, &mut generator(seed));
+    let task = task.unwrap();
+    let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
+    let mut room = Room::new(10_000);
+    let mut planner = Planner {
+        world: &mut grounding.simulated(),
+        sampler: &mut grounding.simulated(),
+        guide: &mut Unguided,
+        config: Config::default(),
+    };
+    let (lots, samples) = (generator(seed), || generator(seed));
+    let planned = planner.plan(grounding.task(), &task.initial, lots, samples, room.lend());
+    let planned = planned.unwrap();
+    let m = &planned.metrics;
+    let mut line = format!(
+        "{seed}: {} {} {} {} {} {}",
+        i32::from(planned.conclusion == Conclusion::Solved),
+        m.samples,
+        m.skeletons,
+        m.nodes_expanded,
+        m.nodes_created,
+        m.actions
+    );
+    for step in planned.steps {
+        let ground = &grounding.operators[usize::from(step.operator)];
+        let name = ENVIRONMENT.operator(ground).unwrap().name;
+        write!(line, " ({name}").unwrap();
+        for object in ground.objects.as_slice() {
+            let name = task.initial.name(StickButton::TYPES, *object).unwrap();
+            write!(line, " {name}").unwrap();
+        }
+        line.push(')');
+        for parameter in &step.parameters {
+            write!(line, " {}", parameter.to_bits()).unwrap();
+        }
+    }
+    line + "\n"
+}
+
+/// The functions that the header declares.
+fn declared() -> BTreeSet<String> {
+    let header = fs::read_to_string(root().join("include/critreg.h")).unwrap();
+    let code = header.lines().filter(|line| {
+        let start = line.trim_start();
+        !start.starts_with(['*', '/', '#']) && !start.starts_with("typedef")
+    });
+    let names = code.flat_map(|line| {
+        line.split([' ', '*'])
+            .filter(|word| word.starts_with("critreg_"))
+            .filter_map(|word| word.split_once('('))
+            .map(|(name, _)| String::from(name))
+    });
+    names.collect()
+}
+
+#[test]
+fn the_library_exports_what_the_header_declares() {
+    let declared = declared();
+    assert!(declared.len() > 50, "{declared:?}");
+    let library = library_directory().join("libcritreg_ffi.so");
+    if !library.exists() {
+        // Another system than Linux, which names and inspects libraries its own way.
+        return;
+    }
+    let output = run(Command::new("nm")
+        .args(["-D", "--defined-only"])
+        .arg(library));
+    let listing = String::from_utf8(output.stdout).unwrap();
+    let names = listing
+        .lines()
+        .filter_map(|line| line.split_whitespace().last());
+    let exported: BTreeSet<_> = names.map(String::from).collect();
+    assert_eq!(exported, declared);
+}
+
+/// Every function is called by the programs above.
+#[test]
+fn no_function_is_left_out() {
+    let files = fs::read_dir(root().join("tests/c")).unwrap();
+    let texts = files.map(|file| fs::read_to_string(file.unwrap().path()).unwrap());
+    let text: String = texts.collect();
+    for name in declared() {
+        assert!(text.contains(&format!("{name}(")), "{name} is never called");
+    }
+}
+
+/// The generator that C copies about is the generator of the library.
+#[test]
+fn the_stream_of_random_numbers_is_that_of_the_core() {
+    use critreg_ffi::boundary::rng::{critreg_rng_seed, critreg_rng_uniform};
+    let mut expected = critreg::random::generator(7);
+    let mut rng = critreg_rng_seed(7);
+    for _ in 0..100 {
+        let mut number = 0.0;
+        // SAFETY: both pointers are to variables.
+        let status = unsafe { critreg_rng_uniform(&mut rng, &mut number) };
+        assert_eq!(status, 0);
+        assert_eq!(number, critreg::random::uniform(&mut expected));
+    }
+}
+
+/// What C is told about the environment is the environment of the library.
+#[test]
+fn the_built_in_domain_is_that_of_the_core() {
+    use critreg_ffi::stick_button::environment::critreg_stick_button_domain;
+    // SAFETY: it is a static text that ends with NUL.
+    let text = unsafe { std::ffi::CStr::from_ptr(critreg_stick_button_domain()) };
+    let expected = critreg::env::stick_button::StickButton::PICK_DOMAIN;
+    assert_eq!(text.to_str(), Ok(expected));
+}

@@ -1,0 +1,7 @@
+//! The library as C and C++ programs get it, and what its documents say of it.
+
+mod abi;
+mod examples;
+mod pictures;
+mod readme;
+mod support;

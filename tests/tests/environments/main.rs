@@ -1,0 +1,8 @@
+//! The built-in environments, against recordings and closed forms. `--nocapture` prints
+//! how much is compared.
+
+mod blocks;
+mod cluttered_table;
+mod cover;
+mod shelf;
+mod stick_button;

@@ -1,0 +1,6 @@
+//! The learners: what each promises, what all promise, and what they prove.
+
+mod learners;
+mod membership;
+mod proposals;
+mod version_space;

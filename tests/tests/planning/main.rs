@@ -1,0 +1,5 @@
+//! The planner, its heuristics and search, and PDDL.
+
+mod pddl;
+mod planner;
+mod strips;

@@ -1,0 +1,6 @@
+//! Domains, terms and regions: their text, membership, intervals and draws.
+
+mod groups;
+mod intersection;
+mod region;
+mod vertex_angle;
