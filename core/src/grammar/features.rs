@@ -68,8 +68,8 @@ type Blocks<const COMPLEXITIES: usize> = [[Block; DIMENSIONS]; COMPLEXITIES];
 pub struct Features<'m, R> {
     nodes: Table<'m, Node>,
     values: &'m mut [R],
-    lefts: Blocks<2>,
-    rights: Blocks<MAX_COMPLEXITY>,
+    lhs: Blocks<2>,
+    rhs: Blocks<MAX_COMPLEXITY>,
 }
 
 impl<'m, R: Real> Features<'m, R> {
@@ -109,8 +109,8 @@ impl<'m, R: Real> Features<'m, R> {
         Features {
             nodes: Table::new(nodes.get_mut(..room).unwrap_or_default(), "features"),
             values,
-            lefts: Default::default(),
-            rights: Default::default(),
+            lhs: Default::default(),
+            rhs: Default::default(),
         }
     }
 
@@ -122,8 +122,8 @@ impl<'m, R: Real> Features<'m, R> {
         for factor in FACTORS {
             self.nodes.push(Node::Number(factor))?;
         }
-        self.enumerate_lefts(domain);
-        self.enumerate_rights(domain, complexity.min(MAX_COMPLEXITY));
+        self.enumerate_lhs(domain);
+        self.enumerate_rhs(domain, complexity.min(MAX_COMPLEXITY));
         Ok(())
     }
 
@@ -150,27 +150,23 @@ impl<'m, R: Real> Features<'m, R> {
 
     /// The left sides of this complexity (from 1) and dimension, as a range of
     /// features.
-    pub fn lefts(&self, complexity: usize, dimension: Dimension) -> Range<usize> {
-        block_at(&self.lefts, complexity, dimension).range()
+    pub fn lhs(&self, complexity: usize, dimension: Dimension) -> Range<usize> {
+        block_at(&self.lhs, complexity, dimension).range()
     }
 
     /// The right sides of this complexity (from 1) and dimension.
-    pub fn rights(&self, complexity: usize, dimension: Dimension) -> Range<usize> {
-        block_at(&self.rights, complexity, dimension).range()
+    pub fn rhs(&self, complexity: usize, dimension: Dimension) -> Range<usize> {
+        block_at(&self.rhs, complexity, dimension).range()
     }
 
     /// How many left sides the grammar has, with those that found no room.
-    pub fn enumerated_lefts(&self, complexity: usize, dimension: Dimension) -> u64 {
-        block_at(&self.lefts, complexity, dimension)
-            .enumerated
-            .into()
+    pub fn enumerated_lhs(&self, complexity: usize, dimension: Dimension) -> u64 {
+        block_at(&self.lhs, complexity, dimension).enumerated.into()
     }
 
     /// How many right sides the grammar has, with those that found no room.
-    pub fn enumerated_rights(&self, complexity: usize, dimension: Dimension) -> u64 {
-        block_at(&self.rights, complexity, dimension)
-            .enumerated
-            .into()
+    pub fn enumerated_rhs(&self, complexity: usize, dimension: Dimension) -> u64 {
+        block_at(&self.rhs, complexity, dimension).enumerated.into()
     }
 
     /// Computes every feature at a sample, each once.
@@ -183,7 +179,7 @@ impl<'m, R: Real> Features<'m, R> {
         evaluate(self.nodes.as_slice(), scene, theta, values);
     }
 
-    fn enumerate_lefts(&mut self, domain: &Domain<'_>) {
+    fn enumerate_lhs(&mut self, domain: &Domain<'_>) {
         let room = self.nodes.capacity() / 4;
         let sampled = !domain.parameters().is_empty();
         for dimension in Dimension::ALL {
@@ -198,18 +194,18 @@ impl<'m, R: Real> Features<'m, R> {
                 }
                 coordinates(domain, dimension, sampled, visit);
             });
-            set_block(&mut self.lefts, 1, dimension, block);
+            set_block(&mut self.lhs, 1, dimension, block);
         }
         for dimension in Dimension::ALL {
             let block = self.append(room, |visit| relations(domain, dimension, sampled, visit));
-            set_block(&mut self.lefts, 2, dimension, block);
+            set_block(&mut self.lhs, 2, dimension, block);
         }
     }
 
-    fn enumerate_rights(&mut self, domain: &Domain<'_>, most: usize) {
+    fn enumerate_rhs(&mut self, domain: &Domain<'_>, most: usize) {
         for complexity in 1..=most {
             for dimension in Dimension::ALL {
-                let wanted = (1..=2).any(|c| !self.lefts(c, dimension).is_empty());
+                let wanted = (1..=2).any(|c| !self.lhs(c, dimension).is_empty());
                 if !wanted {
                     continue;
                 }
@@ -219,7 +215,7 @@ impl<'m, R: Real> Features<'m, R> {
                     3 => self.pairs_and_scaled_relations(domain, dimension),
                     _ => self.mixed_pairs(domain, dimension),
                 };
-                set_block(&mut self.rights, complexity, dimension, block);
+                set_block(&mut self.rhs, complexity, dimension, block);
             }
         }
     }
@@ -245,15 +241,15 @@ impl<'m, R: Real> Features<'m, R> {
         let mut block = self.append(usize::MAX, |visit| {
             relations(domain, dimension, false, visit);
         });
-        self.scale(&mut block, self.rights(1, dimension));
-        let leaves = proper(block_at(&self.rights, 1, dimension), dimension);
+        self.scale(&mut block, self.rhs(1, dimension));
+        let leaves = proper(block_at(&self.rhs, 1, dimension), dimension);
         block.enumerated += FACTORS.len() as u32 * leaves;
         block
     }
 
     fn pairs_and_scaled_relations(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
         let mut block = Block::behind(self.nodes.len());
-        let leaves = self.rights(1, dimension);
+        let leaves = self.rhs(1, dimension);
         for b in leaves.clone() {
             for a in leaves.start..b {
                 self.combine(&mut block, a, b, Node::Sum);
@@ -262,10 +258,10 @@ impl<'m, R: Real> Features<'m, R> {
             }
         }
         let relations = count_relations(domain, dimension);
-        let first = self.rights(2, dimension).start;
-        let kept = self.rights(2, dimension).len().min(relations as usize);
+        let first = self.rhs(2, dimension).start;
+        let kept = self.rhs(2, dimension).len().min(relations as usize);
         self.scale(&mut block, first..first + kept);
-        let leaves = proper(block_at(&self.rights, 1, dimension), dimension);
+        let leaves = proper(block_at(&self.rhs, 1, dimension), dimension);
         let pairs = leaves * leaves.saturating_sub(1) / 2;
         block.enumerated = FACTORS.len() as u32 * relations + 3 * pairs;
         block
@@ -273,8 +269,8 @@ impl<'m, R: Real> Features<'m, R> {
 
     fn mixed_pairs(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
         let mut block = Block::behind(self.nodes.len());
-        for b in self.rights(2, dimension) {
-            for a in self.rights(1, dimension) {
+        for b in self.rhs(2, dimension) {
+            for a in self.rhs(1, dimension) {
                 if self.is_scaled_from(b, a) {
                     continue;
                 }
@@ -283,7 +279,7 @@ impl<'m, R: Real> Features<'m, R> {
                 self.combine(&mut block, b, a, Node::Difference);
             }
         }
-        let leaves = proper(block_at(&self.rights, 1, dimension), dimension);
+        let leaves = proper(block_at(&self.rhs, 1, dimension), dimension);
         let relations = count_relations(domain, dimension);
         let scaled = FACTORS.len() as u32 * leaves.saturating_sub(1);
         block.enumerated = 3 * leaves * (relations + scaled);

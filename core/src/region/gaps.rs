@@ -46,8 +46,8 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
             constraint,
             extremes: Vec::new(),
         };
-        gaps.collect(constraint.left)?;
-        gaps.collect(constraint.right)?;
+        gaps.collect(constraint.lhs)?;
+        gaps.collect(constraint.rhs)?;
         let known = gaps.choices() <= MAX_CHOICES && gaps.curves().all(|c| c.is_known());
         known.then_some(gaps)
     }
@@ -59,25 +59,25 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
     /// Left minus right, for each choice of members.
     pub(super) fn curves(&self) -> impl Iterator<Item = Curve<R>> {
         (0..self.choices()).map(|choice| {
-            let [left, right] = [self.constraint.left, self.constraint.right].map(|id| {
+            let [lhs, rhs] = [self.constraint.lhs, self.constraint.rhs].map(|id| {
                 let chosen = |extreme| self.chosen(choice, extreme);
                 self.along.sample.measure_choosing(self.nodes, id, &chosen)
             });
-            left.minus(right)
+            lhs.minus(rhs)
         })
     }
 
     /// Whether the constraint holds at `t`.
     pub(super) fn holds(&self, t: R) -> bool {
-        let [left, right] = self.sides(t);
-        self.constraint.comparison.holds(&left, &right)
+        let [lhs, rhs] = self.sides(t);
+        self.constraint.comparison.holds(&lhs, &rhs)
     }
 
     /// Whether the two sides are equal at `t` but for rounding.
     pub(super) fn is_near_zero(&self, t: R) -> bool {
-        let [left, right] = self.sides(t);
-        let tolerance = R::SQRT_EPSILON * (R::ONE + left.abs() + right.abs());
-        (left - right).abs() <= tolerance
+        let [lhs, rhs] = self.sides(t);
+        let tolerance = R::SQRT_EPSILON * (R::ONE + lhs.abs() + rhs.abs());
+        (lhs - rhs).abs() <= tolerance
     }
 
     fn sides(&self, t: R) -> [R; 2] {
@@ -86,7 +86,7 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
             *value = line.value(t);
         }
         let sample = self.along.scene.sample::<R>(&theta);
-        [self.constraint.left, self.constraint.right].map(|id| sample.measure(self.nodes, id))
+        [self.constraint.lhs, self.constraint.rhs].map(|id| sample.measure(self.nodes, id))
     }
 
     /// Finds the extremes of an expression that vary; `None` if they are too many.

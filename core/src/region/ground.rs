@@ -148,8 +148,8 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
         sample.settle();
         let nodes = self.region.formula.nodes();
         Ok(self.region.formula.holds(|c| {
-            let left = sample.measure(nodes, c.left);
-            c.comparison.holds(&left, &sample.measure(nodes, c.right))
+            let lhs = sample.measure(nodes, c.lhs);
+            c.comparison.holds(&lhs, &sample.measure(nodes, c.rhs))
         }))
     }
 
@@ -181,7 +181,7 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
         let truth = self
             .region
             .formula
-            .truth(|c| range_truth(c.comparison, sample.difference(nodes, [c.left, c.right])));
+            .truth(|c| range_truth(c.comparison, sample.difference(nodes, [c.lhs, c.rhs])));
         Ok(!truth.may_hold)
     }
 }

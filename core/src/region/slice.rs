@@ -53,7 +53,7 @@ fn cut<R: Real>(
     let nodes = formula.nodes();
     let mut cut = Cut::new(ends);
     for (owner, constraint) in (0u8..).zip(formula.constraints()) {
-        let sides = [constraint.left, constraint.right];
+        let sides = [constraint.lhs, constraint.rhs];
         let curve = along.sample.difference(nodes, sides);
         if curve.is_finite() {
             cut.add(owner, &curve, constraint.comparison)?;

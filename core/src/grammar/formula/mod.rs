@@ -35,11 +35,11 @@ pub const MAX_FORMULA_STEPS: usize = 96;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
     /// Left side, in the formula's nodes.
-    pub left: NodeId,
+    pub lhs: NodeId,
     /// How the sides are compared.
     pub comparison: Comparison,
     /// Right side, in the formula's nodes.
-    pub right: NodeId,
+    pub rhs: NodeId,
     /// What the right side is in terms of the domain's constants.
     pub name: Option<NodeId>,
 }
@@ -48,7 +48,7 @@ pub struct Constraint {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inequality {
     /// Left side.
-    pub left: NodeId,
+    pub lhs: NodeId,
     /// How the sides are compared.
     pub comparison: Comparison,
     /// Right side.
@@ -161,9 +161,9 @@ impl Formula {
         let joined = !self.steps.is_empty();
         for (index, own) in any_of.iter().enumerate() {
             let constraint = Constraint {
-                left: copy(nodes, own.left, &mut self.nodes)?,
+                lhs: copy(nodes, own.lhs, &mut self.nodes)?,
                 comparison: own.comparison,
-                right: intern(&mut self.nodes, Node::Number(own.bound))?,
+                rhs: intern(&mut self.nodes, Node::Number(own.bound))?,
                 name: match own.name {
                     Some(name) => Some(copy(nodes, name, &mut self.nodes)?),
                     None => None,

@@ -135,13 +135,13 @@ impl<'m, R: Real> Forms<'m, R> {
         self.features.fill(domain, COMPLEXITY)?;
         for (own, dimension) in self.layout.lhs.iter_mut().zip(Dimension::ALL) {
             for (places, complexity) in own.iter_mut().zip(1..) {
-                let range = self.features.lefts(complexity, dimension);
+                let range = self.features.lhs(complexity, dimension);
                 // Left sides are the first features behind the factors.
                 let start = range.start.saturating_sub(FACTORS.len());
                 let len = range.len().min(self.lhs_room.saturating_sub(start));
                 *places = Places::between(start, start + len);
                 self.values.lhs_count += len;
-                let all = self.features.enumerated_lefts(complexity, dimension);
+                let all = self.features.enumerated_lhs(complexity, dimension);
                 if let Some(lost) = self.layout.lhs_left_out.get_mut(dimension as usize) {
                     *lost += u32::try_from(all).unwrap_or(u32::MAX) - len as u32;
                 }
@@ -228,7 +228,7 @@ impl<'m, R: Real> Forms<'m, R> {
             1 => 1,
             _ => 2,
         };
-        for feature in self.features.rights(complexity, dimension) {
+        for feature in self.features.rhs(complexity, dimension) {
             let nodes = self.features.nodes();
             let scaled = matches!(nodes.get(feature), Some(Node::Product(..)));
             let id = feature_id(feature);
