@@ -1,21 +1,4 @@
-//! The features that the grammar makes of a domain (thesis 4.2), simple ones first.
-//!
-//! | complexity | features |
-//! |---|---|
-//! | 1 | attributes, constants, parameters, coordinates of key and sample points, the plain numbers 0.25, 0.5, 0.75, 1, 1.25 and 1.5 |
-//! | 2 | distances in 1D, 2D and 3D, angle differences (angles at a point where nothing has a heading), areas; features of complexity 1 scaled by 0.25, 0.5, 0.75, 1.25, 1.5 |
-//! | 3 | sums and differences of two features of complexity 1, those of constants first; scaled distances, angles and areas |
-//! | 4 | sums and differences of a feature of complexity 1 and one of complexity 2 |
-//!
-//! Of a group of objects no single member is spoken of, but the least and the
-//! greatest value over its members, as simple as the value itself. Members of groups
-//! are not compared with each other. Over no members such a feature is infinite, and
-//! what is made of two of them may be NaN: no comparison holds for that.
-//!
-//! Features that depend on the sample are *left* sides of hypotheses, the others
-//! *right* sides. An action without parameters is sampled by its instances, so all
-//! features are left sides. Scaled and summed left sides are left out: scaling a right side
-//! says the same.
+//! The features that the grammar makes of a domain, enumerated into a table.
 
 use super::leaves::{Visit, attributes, coordinates, relations};
 use crate::domain::{Dimension, Domain, Node, NodeId, Sample, Scene};
@@ -63,7 +46,54 @@ impl Block {
 /// Blocks of each complexity, from 1, and dimension.
 type Blocks<const COMPLEXITIES: usize> = [[Block; DIMENSIONS]; COMPLEXITIES];
 
-/// The features of a domain in order of complexity, and their values at a sample.
+/// The features that the grammar makes of a domain (thesis 4.2), simple ones first, and
+/// their values at a sample.
+///
+/// | complexity | features |
+/// |---|---|
+/// | 1 | attributes, constants, parameters, coordinates of key and sample points, the plain numbers 0.25, 0.5, 0.75, 1, 1.25 and 1.5 |
+/// | 2 | distances in 1D, 2D and 3D, angle differences (angles at a point where nothing has a heading), areas; features of complexity 1 scaled by 0.25, 0.5, 0.75, 1.25, 1.5 |
+/// | 3 | sums and differences of two features of complexity 1, those of constants first; scaled distances, angles and areas |
+/// | 4 | sums and differences of a feature of complexity 1 and one of complexity 2 |
+///
+/// Features that depend on the sample are *left* sides of hypotheses (`lhs`), the others
+/// *right* sides (`rhs`). An action without parameters is sampled by its instances, so all
+/// features are left sides. Left sides are neither scaled nor summed: to scale a right
+/// side says the same.
+///
+/// Of a group of objects the grammar has the least and the greatest value over the
+/// members, as simple as the value itself, and never that of a single member. Members of
+/// groups are not compared with each other. Over no members such a feature is infinite,
+/// and what is made of two of them may be NaN: no comparison holds for that.
+///
+/// ```
+/// use critreg::domain::{Dimension, Domain, Node, NodeId};
+/// use critreg::grammar::Features;
+/// let domain = Domain::parse(
+///     "object wall { x: length, y: length }
+///      constant margin = 0.25: length
+///      parameter reach in [0, 4]: length
+///      point hand = world + (reach, 0)",
+/// )?;
+/// let (mut nodes, mut values) = ([Node::Number(0.0); 200], [0.0; 200]);
+/// let features = Features::enumerate(&domain, &mut nodes, &mut values)?;
+/// let texts = |features: &Features<f64>, range: std::ops::Range<usize>| {
+///     let write = |index: usize| {
+///         let mut text = String::new();
+///         let id = NodeId(index as u16);
+///         domain.write_expression(&mut text, features.nodes(), id).map(|()| text)
+///     };
+///     range.map(write).collect::<Result<Vec<_>, _>>().unwrap()
+/// };
+/// let lhs = |complexity| texts(&features, features.lhs(complexity, Dimension::Length));
+/// assert_eq!(lhs(1), ["reach", "hand.x", "hand.y"]);
+/// assert_eq!(lhs(2), ["dist_x(hand, wall)", "dist_y(hand, wall)", "dist(hand, wall)"]);
+/// let rhs = |complexity| texts(&features, features.rhs(complexity, Dimension::Length));
+/// assert_eq!(rhs(1), ["margin", "wall.x", "wall.y"]);
+/// assert_eq!(rhs(2)[..3], ["0.25*margin", "0.5*margin", "0.75*margin"]);
+/// assert_eq!(rhs(3)[..3], ["margin + wall.x", "margin - wall.x", "wall.x - margin"]);
+/// # Ok::<(), critreg::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Features<'m, R> {
     nodes: Table<'m, Node>,

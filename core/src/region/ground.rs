@@ -22,6 +22,21 @@ pub struct Grounded<'a, R> {
 impl Region {
     /// The region in a problem instance: one number per attribute.
     ///
+    /// ```
+    /// use critreg::{domain::Domain, region::Region};
+    /// let domain = Domain::parse(
+    ///     "object wall { x: length, y: length }
+    ///      parameter reach in [0, 4]: length
+    ///      point hand = world + (reach, 0)",
+    /// )?;
+    /// let region = Region::parse(&domain, "dist(hand, wall) >= 1 and reach <= wall.x")?;
+    /// let grounded = region.ground::<f64>(&domain, &[3.0, 0.0])?;
+    /// let [admitted] = grounded.intervals()?.intervals() else { panic!() };
+    /// assert_eq!([admitted.low, admitted.high], [0.0, 2.0]);
+    /// assert!(grounded.contains(&[1.5])? && !grounded.contains(&[2.5])?);
+    /// # Ok::<(), critreg::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Mismatch`] for another domain than the region was made for, and
     /// those of [`Domain::check_instance`].

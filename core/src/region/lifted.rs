@@ -94,6 +94,17 @@ impl Region {
 
     /// Reads a region from its text; for the grammar see [`Formula`].
     ///
+    /// ```
+    /// use critreg::{domain::Domain, region::Region};
+    /// let domain = Domain::parse("parameter x in [0, 1] parameter y in [0, 1]")?;
+    /// let region = Region::parse(&domain, "(x < 0.5) and (y > x or not (y <= 0.25))")?;
+    /// let text = region.display(&domain).to_string();
+    /// assert_eq!(text, "x < 0.5 and (y > x or not y <= 0.25)");
+    /// let error = Region::parse(&domain, "x < 0.5 and z > 0").unwrap_err();
+    /// assert!(error.to_string().starts_with("line 1, column 13: unknown name"));
+    /// # Ok::<(), critreg::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Syntax`], [`Error::CapacityExceeded`].
     pub fn parse(domain: &Domain<'_>, text: &str) -> Result<Region, Error> {

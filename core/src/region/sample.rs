@@ -23,6 +23,21 @@ const STEPS_PER_PARAMETER: usize = 12;
 impl Region {
     /// Draws parameters uniformly from the region in an instance.
     ///
+    /// ```
+    /// use critreg::{Error, domain::Domain, random::generator, region::Region};
+    /// let domain = Domain::parse(
+    ///     "object wall { x: length }
+    ///      parameter reach in [0, 4]: length",
+    /// )?;
+    /// let region = Region::parse(&domain, "reach <= wall.x - 1")?;
+    /// let draw = |wall: f64| region.sample::<f64>(&domain, &[wall], &mut generator(7));
+    /// let [reach, ..] = draw(3.0)?;
+    /// assert!((0.0..=2.0).contains(&reach));
+    /// // A proof that the region admits nothing there.
+    /// assert_eq!(draw(0.5), Err(Error::EmptyRegion));
+    /// # Ok::<(), critreg::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Those of [`Region::ground`] and [`Grounded::sample`].
     pub fn sample<R: Real>(

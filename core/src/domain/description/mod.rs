@@ -17,13 +17,19 @@ impl<'t> Domain<'t> {
     ///
     /// ```
     /// use critreg::domain::Domain;
-    /// let domain = Domain::parse(
-    ///     "object stick { x: length, y: length, theta: angle }
-    ///      constant stick.width = 3.0: length
-    ///      parameter mu in [0, 1]
-    ///      point grasp = stick + (mu * stick.width, 0)",
-    /// )?;
+    /// let text = "object stick { x: length, y: length, theta: angle }
+    ///     constant stick.width = 3.0: length
+    ///     parameter mu in [0, 1]
+    ///     point grasp = stick + (mu * stick.width, 0)";
+    /// let domain = Domain::parse(text)?;
     /// assert_eq!(domain.instance_len(), 3);
+    /// // The stick, and a point on it that moves with the parameter.
+    /// let sampled: Vec<bool> = domain.points().iter().map(|point| point.sampled).collect();
+    /// assert_eq!(sampled, [false, true]);
+    ///
+    /// let error = Domain::parse("parameter mu in [1, 0]").unwrap_err();
+    /// let message = "line 1, column 21: the largest value must be above the smallest";
+    /// assert_eq!(error.to_string(), message);
     /// # Ok::<(), critreg::Error>(())
     /// ```
     ///

@@ -1,15 +1,4 @@
-//! Constraints joined by `and`, `or` and `not` (thesis 4.2), and their text form.
-//!
-//! ```text
-//! formula    = conjunction { "or" conjunction } ;
-//! conjunction= literal { "and" literal } ;
-//! literal    = "not" literal | "true" | "(" formula ")" | constraint ;
-//! constraint = expr ( "<" | "<=" | ">=" | ">" ) expr [ "(" expr ")" ] ;
-//! ```
-//!
-//! The expression in brackets behind a constraint names its right side:
-//! `grasp.y <= 2.9 (zone.top - robot.radius)`. It is kept, printed and otherwise
-//! ignored. `expr` is that of the [domain text](crate::domain).
+//! Constraints joined by `and`, `or` and `not` (thesis 4.2), and their text.
 
 mod comparison;
 mod conjuncts;
@@ -90,7 +79,20 @@ impl From<bool> for Truth {
     }
 }
 
-/// A statement about a sample in an instance: constraints and connectives.
+/// A statement about a sample in an instance: constraints and connectives. Its text is
+///
+/// ```text
+/// formula    = conjunction { "or" conjunction } ;
+/// conjunction= literal { "and" literal } ;
+/// literal    = "not" literal | "true" | "(" formula ")" | constraint ;
+/// constraint = expr ( "<" | "<=" | ">=" | ">" ) expr [ "(" expr ")" ] ;
+/// ```
+///
+/// with the `expr` of the [domain text](crate::domain#the-domain-text). The expression in
+/// brackets behind a constraint names its right side, as in
+/// `grasp.y <= 2.9 (zone.top - robot.radius)`. It is kept, printed and otherwise ignored.
+/// Formulas and expressions are nested at most [`MAX_DEPTH`](crate::domain::MAX_DEPTH)
+/// deep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
     pub(super) nodes: Vec<Node, MAX_FORMULA_NODES>,
