@@ -32,13 +32,13 @@ impl<'a, R: Real> Scene<'a, R> {
     /// The scene at a sample; `theta` has one entry per parameter.
     pub fn sample<'s, A: Algebra<R>>(&'s self, theta: &'s [A]) -> Sample<'s, 'a, R, A> {
         let mut sample = Sample::blank(self, theta);
-        sample.settle();
+        sample.place_points();
         sample
     }
 }
 
 impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
-    /// As [`Scene::sample`], to be completed in place by [`Sample::settle`], which saves
+    /// As [`Scene::sample`], to be completed in place by [`Sample::place_points`], which saves
     /// moving the points.
     pub(crate) fn blank(scene: &'s Scene<'a, R>, theta: &'s [A]) -> Self {
         Sample {
@@ -50,7 +50,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 
     #[inline(never)]
-    pub(crate) fn settle(&mut self) {
+    pub(crate) fn place_points(&mut self) {
         for index in self.scene.points.sampled.iter() {
             if let Some(point) = self.scene.domain.points().get(usize::from(index)) {
                 let placed = self.place(point);

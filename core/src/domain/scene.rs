@@ -48,11 +48,11 @@ impl<'a, R: Real> Scene<'a, R> {
         points: PointSet,
     ) -> Result<Self, Error> {
         let mut scene = Scene::blank(domain, instance, points);
-        scene.settle()?;
+        scene.place_points()?;
         Ok(scene)
     }
 
-    /// As [`Scene::new`], to be completed in place by [`Scene::settle`], which saves
+    /// As [`Scene::new`], to be completed in place by [`Scene::place_points`], which saves
     /// moving the points.
     pub(crate) fn blank(domain: &'a Domain<'a>, instance: &'a [f64], points: PointSet) -> Self {
         Scene {
@@ -65,7 +65,7 @@ impl<'a, R: Real> Scene<'a, R> {
         }
     }
 
-    pub(crate) fn settle(&mut self) -> Result<(), Error> {
+    pub(crate) fn place_points(&mut self) -> Result<(), Error> {
         self.domain.check_instance(self.instance)?;
         if self.points.sampled.iter().nth(MAX_SAMPLE_POINTS).is_some() {
             return Err(Error::CapacityExceeded("points that depend on a parameter"));

@@ -364,7 +364,7 @@ impl<'m, R: Real> Features<'m, R> {
 #[inline(never)]
 fn evaluate<R: Real>(nodes: &[Node], scene: &Scene<'_, R>, theta: &[R], values: &mut [R]) {
     let mut sample: Sample<'_, '_, R, R> = Sample::blank(scene, theta);
-    sample.settle();
+    sample.place_points();
     for (index, node) in nodes.iter().enumerate() {
         let known = &*values;
         let operand = |id: NodeId| known.get(usize::from(id.0)).copied().unwrap_or(R::ZERO);

@@ -59,7 +59,7 @@ impl Region {
         theta: &[f64],
     ) -> Result<bool, Error> {
         let mut grounded = Grounded::<R>::blank(self, domain, instance);
-        grounded.settle()?;
+        grounded.compute()?;
         grounded.contains(theta)
     }
 }
@@ -71,11 +71,11 @@ impl<'a, R: Real> Grounded<'a, R> {
         instance: &'a [f64],
     ) -> Result<Self, Error> {
         let mut grounded = Self::blank(region, domain, instance);
-        grounded.settle()?;
+        grounded.compute()?;
         Ok(grounded)
     }
 
-    /// As [`Grounded::new`], to be completed in place by [`Grounded::settle`].
+    /// As [`Grounded::new`], to be completed in place by [`Grounded::compute`].
     pub(super) fn blank(region: &'a Region, domain: &'a Domain<'a>, instance: &'a [f64]) -> Self {
         Grounded {
             region,
@@ -85,11 +85,11 @@ impl<'a, R: Real> Grounded<'a, R> {
         }
     }
 
-    pub(super) fn settle(&mut self) -> Result<(), Error> {
+    pub(super) fn compute(&mut self) -> Result<(), Error> {
         if self.domain.fingerprint() != self.region.fingerprint {
             return Err(Error::Mismatch("the region belongs to another domain text"));
         }
-        self.scene.settle()?;
+        self.scene.place_points()?;
         let [parameter] = self.parameters() else {
             return Ok(());
         };
@@ -160,7 +160,7 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
             return Ok(self.set.contains(*first));
         }
         let mut sample = Sample::blank(&self.scene, theta);
-        sample.settle();
+        sample.place_points();
         let nodes = self.region.formula.nodes();
         Ok(self.region.formula.holds(|c| {
             let lhs = sample.measure(nodes, c.lhs);
@@ -191,7 +191,7 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
             };
         }
         let mut sample = Sample::blank(&self.scene, &theta);
-        sample.settle();
+        sample.place_points();
         let nodes = self.region.formula.nodes();
         let truth = self
             .region

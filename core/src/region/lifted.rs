@@ -66,7 +66,7 @@ impl Region {
     /// Makes it a region of this domain that admits everything.
     pub(crate) fn clear(&mut self, domain: &Domain<'_>) {
         self.formula.clear();
-        self.settle(domain);
+        self.note_dependence(domain);
     }
 
     /// Replaces its formula where it lies by what `write` makes of one that holds for
@@ -74,7 +74,7 @@ impl Region {
     pub(crate) fn rewrite(&mut self, domain: &Domain<'_>, write: impl FnOnce(&mut Formula)) {
         self.formula.clear();
         write(&mut self.formula);
-        self.settle(domain);
+        self.note_dependence(domain);
     }
 
     /// Makes it the same as another, where it lies.
@@ -85,8 +85,8 @@ impl Region {
         self.fingerprint = other.fingerprint;
     }
 
-    /// Finds out what its formula speaks about.
-    fn settle(&mut self, domain: &Domain<'_>) {
+    /// Notes what its formula depends on: points, parameters and the domain.
+    fn note_dependence(&mut self, domain: &Domain<'_>) {
         self.points = PointSet::of(domain, self.formula.nodes());
         self.relevant = self.points.parameters(domain, self.formula.nodes());
         self.fingerprint = domain.fingerprint();

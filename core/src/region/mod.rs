@@ -10,7 +10,7 @@
 
 mod boxes;
 mod bytes;
-mod gaps;
+mod choices;
 mod ground;
 mod intersection;
 mod interval;

@@ -47,7 +47,7 @@ impl Region {
         rng: &mut (impl Rng + ?Sized),
     ) -> Result<Theta, Error> {
         let mut grounded = Grounded::<R>::blank(self, domain, instance);
-        grounded.settle()?;
+        grounded.compute()?;
         grounded.sample(rng)
     }
 }

@@ -1,6 +1,6 @@
 //! What a region admits along a line of parameters, exactly.
 
-use super::gaps::{Along, Gaps};
+use super::choices::{Along, Choices};
 use super::interval::{Builder, IntervalSet};
 use crate::domain::{Curve, Line, MAX_PARAMETERS, Node, Sample, Scene};
 use crate::error::Error;
@@ -32,7 +32,7 @@ pub(super) fn slice<R: Real>(
         let _ = theta.push(Line { at, slope });
     }
     let mut sample = Sample::blank(scene, &theta);
-    sample.settle();
+    sample.place_points();
     let along = Along {
         scene,
         theta: &theta,
@@ -58,7 +58,7 @@ fn cut<R: Real>(
         if curve.is_finite() {
             cut.add(owner, &curve, constraint.comparison)?;
         } else {
-            cut.add_gaps(owner, along, nodes, constraint)?;
+            cut.add_without_curve(owner, along, nodes, constraint)?;
         }
     }
     cut.write(formula, set)
@@ -173,11 +173,11 @@ impl<R: Real> Cut<R> {
 
     /// As [`Cut::add`] for a constraint with extremes: it is cut at the roots of all
     /// choices of members at which its sides are equal.
-    fn add_extremes(&mut self, owner: u8, gaps: &Gaps<'_, '_, R>) -> Result<(), Error> {
+    fn add_choices(&mut self, owner: u8, choices: &Choices<'_, '_, R>) -> Result<(), Error> {
         let [low, mut end] = self.ends;
-        for curve in gaps.curves() {
+        for curve in choices.curves() {
             let inside = |t: &R| low <= *t && *t <= end && curve.is_near_zero(*t);
-            let equal = |t: &R| inside(t) && gaps.is_near_zero(*t);
+            let equal = |t: &R| inside(t) && choices.is_near_zero(*t);
             for at in curve.roots().into_iter().filter(equal) {
                 let mut known = self.breaks.iter().zip(&self.roots);
                 if !known.any(|(place, root)| root.owner() == owner && *place == at) {
@@ -185,28 +185,28 @@ impl<R: Real> Cut<R> {
                 }
             }
         }
-        let holds_between = |a: R, b: R| gaps.holds(middle(a, b));
+        let holds_between = |a: R, b: R| choices.holds(middle(a, b));
         let all = self.breaks.iter().zip(&mut self.roots).rev();
         for (at, root) in all.filter(|(_, root)| root.owner() == owner) {
             *root = Root::new(owner, holds_between(*at, end));
             end = *at;
         }
-        self.begin(owner, gaps.comparison(), holds_between(low, end));
+        self.begin(owner, choices.comparison(), holds_between(low, end));
         Ok(())
     }
 
     /// As [`Cut::add`] for a constraint that is no single curve. Nothing is known of one
     /// without closed form.
     #[inline(never)]
-    fn add_gaps(
+    fn add_without_curve(
         &mut self,
         owner: u8,
         along: Along<'_, '_, R>,
         nodes: &[Node],
         constraint: &Constraint,
     ) -> Result<(), Error> {
-        match Gaps::new(along, nodes, constraint) {
-            Some(gaps) => self.add_extremes(owner, &gaps),
+        match Choices::new(along, nodes, constraint) {
+            Some(choices) => self.add_choices(owner, &choices),
             None => {
                 self.first.hold |= bit(owner);
                 self.first.fail |= bit(owner);

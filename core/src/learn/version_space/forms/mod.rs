@@ -207,7 +207,7 @@ impl<'m, R: Real> Forms<'m, R> {
             .chunks_exact_mut(self.values.rhs_count.max(1));
         for (index, row) in (0..problem.count()).zip(rows) {
             let mut scene = Scene::blank(problem.domain(), problem.instance(index)?, points);
-            scene.settle()?;
+            scene.place_points()?;
             // There are no samples yet, so their table is free.
             self.features.evaluate_into(&scene, &theta, self.values.lhs);
             fill(self.values.lhs, row);
@@ -291,7 +291,7 @@ impl<'m, R: Real> Forms<'m, R> {
     pub(super) fn evaluate(&self, scene: &Scene<'_, R>, theta: &Theta, lhs: &mut [R]) {
         let theta = theta.map(R::from_f64);
         let mut sample: Point<'_, '_, R, R> = Point::blank(scene, &theta);
-        sample.settle();
+        sample.place_points();
         let nodes = self.features.nodes().iter().skip(FACTORS.len());
         for (value, node) in lhs.iter_mut().zip(nodes).take(self.values.lhs_count) {
             *value = sample.node(*node, |_| R::ZERO);
@@ -309,7 +309,7 @@ impl<'m, R: Real> Forms<'m, R> {
     ) -> R {
         let theta = theta.map(R::from_f64);
         let mut sample: Point<'_, '_, R, R> = Point::blank(scene, &theta);
-        sample.settle();
+        sample.place_points();
         let node = self.features.nodes().iter().skip(FACTORS.len());
         let node = node.copied().nth(usize::from(form.lhs));
         let lhs = node.map_or(R::NAN, |node| sample.node(node, |_| R::ZERO));
@@ -331,7 +331,7 @@ impl<'m, R: Real> Forms<'m, R> {
         let instance = problem.instance(query.instance)?;
         let points = PointSet::all(problem.domain());
         let mut scene = Scene::blank(problem.domain(), instance, points);
-        scene.settle()?;
+        scene.place_points()?;
         self.evaluate(&scene, &query.theta, lhs);
         Ok(())
     }

@@ -25,7 +25,7 @@ pub(super) struct Along<'s, 'a, R> {
 }
 
 /// A constraint along a line.
-pub(super) struct Gaps<'s, 'a, R> {
+pub(super) struct Choices<'s, 'a, R> {
     along: Along<'s, 'a, R>,
     nodes: &'s [Node],
     constraint: &'s Constraint,
@@ -33,23 +33,23 @@ pub(super) struct Gaps<'s, 'a, R> {
     extremes: Vec<(NodeId, usize), MAX_EXTREMES>,
 }
 
-impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
+impl<'s, 'a, R: Real> Choices<'s, 'a, R> {
     /// `None` if its curves are too many or not all known.
     pub(super) fn new(
         along: Along<'s, 'a, R>,
         nodes: &'s [Node],
         constraint: &'s Constraint,
     ) -> Option<Self> {
-        let mut gaps = Gaps {
+        let mut choices = Choices {
             along,
             nodes,
             constraint,
             extremes: Vec::new(),
         };
-        gaps.collect(constraint.lhs)?;
-        gaps.collect(constraint.rhs)?;
-        let known = gaps.choices() <= MAX_CHOICES && gaps.curves().all(|c| c.is_known());
-        known.then_some(gaps)
+        choices.collect(constraint.lhs)?;
+        choices.collect(constraint.rhs)?;
+        let known = choices.count() <= MAX_CHOICES && choices.curves().all(|c| c.is_known());
+        known.then_some(choices)
     }
 
     pub(super) fn comparison(&self) -> Comparison {
@@ -58,7 +58,7 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
 
     /// Left minus right, for each choice of members.
     pub(super) fn curves(&self) -> impl Iterator<Item = Curve<R>> {
-        (0..self.choices()).map(|choice| {
+        (0..self.count()).map(|choice| {
             let [lhs, rhs] = [self.constraint.lhs, self.constraint.rhs].map(|id| {
                 let chosen = |extreme| self.chosen(choice, extreme);
                 self.along.sample.measure_choosing(self.nodes, id, &chosen)
@@ -114,7 +114,7 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
     }
 
     /// How many choices there are of one member in each extreme.
-    fn choices(&self) -> usize {
+    fn count(&self) -> usize {
         self.extremes.iter().map(|(_, members)| *members).product()
     }
 
