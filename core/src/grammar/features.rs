@@ -24,12 +24,12 @@ pub(crate) fn feature_id(index: usize) -> NodeId {
 struct Block {
     start: u16,
     kept: u16,
-    /// How many the grammar has, also those that found no room.
+    /// How many features the grammar has, with those that found no room.
     enumerated: u32,
 }
 
 impl Block {
-    /// An empty block behind so many features.
+    /// An empty block behind this many features.
     fn behind(features: usize) -> Block {
         Block {
             start: feature_id(features).0,
@@ -103,9 +103,8 @@ pub struct Features<'m, R> {
 }
 
 impl<'m, R: Real> Features<'m, R> {
-    /// Enumerates the features of a domain into borrowed tables of equal length,
-    /// of which a quarter at most is used for left sides. What finds no room is
-    /// counted.
+    /// Enumerates the features of a domain into borrowed tables of equal length, of which
+    /// left sides take a quarter at most. Features that find no room are counted.
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`] if there is not even room for the factors.
@@ -134,7 +133,7 @@ impl<'m, R: Real> Features<'m, R> {
 
     /// A table without features, for [`Features::fill`].
     pub(crate) fn empty(nodes: &'m mut [Node], values: &'m mut [R]) -> Self {
-        // A term has no name for more.
+        // An id of a term counts no further.
         let room = nodes.len().min(usize::from(u16::MAX));
         Features {
             nodes: Table::new(nodes.get_mut(..room).unwrap_or_default(), "features"),
@@ -144,7 +143,7 @@ impl<'m, R: Real> Features<'m, R> {
         }
     }
 
-    /// Enumerates the features of a domain up to a complexity, where the table lies.
+    /// Enumerates the features of a domain up to a complexity, in place.
     ///
     /// # Errors
     /// Those of [`Features::enumerate`].
@@ -316,7 +315,7 @@ impl<'m, R: Real> Features<'m, R> {
         block
     }
 
-    /// Appends what fits, as long as there are not `room` features, and counts all.
+    /// Appends features while there are fewer than `room`, and counts all of them.
     fn append(&mut self, room: usize, each: impl FnOnce(Visit<'_>)) -> Block {
         let mut block = Block::behind(self.nodes.len());
         each(&mut |node| {
@@ -328,7 +327,7 @@ impl<'m, R: Real> Features<'m, R> {
         block
     }
 
-    /// Appends the features of a range, scaled by each factor; numbers are not.
+    /// Appends the features of a range, scaled by each factor, except plain numbers.
     fn scale(&mut self, block: &mut Block, range: Range<usize>) {
         for index in range {
             // The factors are the first features of the table.
@@ -393,7 +392,7 @@ fn set_block(
     }
 }
 
-/// How many features of a block of complexity 1 are no plain numbers.
+/// How many features of a block of complexity 1 are not plain numbers.
 fn proper(block: Block, dimension: Dimension) -> u32 {
     let numbers = match dimension {
         Dimension::None => FACTORS.len() as u32 + 1,

@@ -1,5 +1,5 @@
-//! The hypothesis table: `left comparison right` for every pair of comparable
-//! features, simple pairs first (thesis 4.3, Eq. 4.1 and 4.2).
+//! The hypothesis table: `lhs comparison rhs` for every pair of comparable features,
+//! simple pairs first (thesis 4.3, Eq. 4.1 and 4.2).
 //!
 //! A pair of features and its four comparisons take one byte, a bit per
 //! hypothesis that is still in the set. Pairs are not stored: they follow from
@@ -37,7 +37,7 @@ pub struct Enumeration {
     pub left_out: u64,
 }
 
-/// The set of hypotheses, as one bit each.
+/// A set of hypotheses, one bit for each.
 #[derive(Debug)]
 pub struct Hypotheses<'m> {
     pairs: &'m mut [u8],

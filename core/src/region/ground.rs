@@ -15,7 +15,7 @@ pub struct Grounded<'a, R> {
     region: &'a Region,
     domain: &'a Domain<'a>,
     scene: Scene<'a, R>,
-    /// What is admitted of the only parameter, if there is only one.
+    /// The admitted values of the parameter, if there is exactly one.
     set: IntervalSet<R>,
 }
 
@@ -75,7 +75,8 @@ impl<'a, R: Real> Grounded<'a, R> {
         Ok(grounded)
     }
 
-    /// As [`Grounded::new`], to be completed in place by [`Grounded::compute`].
+    /// As [`Grounded::new`], still without points and intervals: [`Grounded::compute`]
+    /// adds them in place.
     pub(super) fn blank(region: &'a Region, domain: &'a Domain<'a>, instance: &'a [f64]) -> Self {
         Grounded {
             region,
@@ -201,7 +202,7 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
     }
 }
 
-/// Whether `gap comparison 0` over a range, leaving room for rounding.
+/// Whether `difference comparison 0` holds over a range, allowing for rounding.
 fn range_truth<R: Real>(comparison: Comparison, gap: Range<R>) -> Truth {
     let slack = R::EPSILON * R::from_f64(64.0);
     let above = gap.low * (R::ONE - slack) > slack;

@@ -11,13 +11,13 @@ use crate::random::uniform_real;
 use crate::real::Real;
 use rand_core::Rng;
 
-/// Draws from the whole box, and from one line, before another way is tried.
+/// How many draws are tried from the whole box, and from one line.
 const REJECTIONS: usize = 32;
-/// Small boxes in which a first admitted point is looked for.
+/// How many small boxes are searched for a first admitted point.
 const BOXES: usize = 64;
-/// Lines that are laid through each of them.
+/// How many lines are laid through each of them.
 const LINES: usize = 8;
-/// Steps of hit-and-run per parameter, from a first admitted point.
+/// How many steps of hit-and-run follow a first admitted point, per parameter.
 const STEPS_PER_PARAMETER: usize = 12;
 
 impl Region {
@@ -61,9 +61,9 @@ impl<R: Real> Grounded<'_, R> {
     /// satisfies [`Grounded::contains`].
     ///
     /// # Errors
-    /// [`Error::EmptyRegion`] if it is proven that nothing is admitted: drop the
-    /// plan skeleton, or fall back on another sampler. [`Error::NoSample`] if
-    /// nothing was found but emptiness could not be proven.
+    /// [`Error::EmptyRegion`] if it is proven that the region admits nothing, which is as
+    /// true of the world as the region is: drop the plan skeleton, or fall back on another
+    /// sampler. [`Error::NoSample`] if nothing was found but emptiness was not proven.
     pub fn sample(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Theta, Error> {
         sample(self, R::ZERO, rng)
     }
@@ -141,7 +141,7 @@ fn draw_from<R: Real>(
     Ok(None)
 }
 
-/// Not inlined: what it needs is not on the stack while a set is grounded.
+/// Not inlined, so that its variables are not on the stack while a set is grounded.
 #[inline(never)]
 fn sample_several<R: Real>(
     parameters: &impl ParameterSet<R>,
@@ -159,8 +159,8 @@ fn sample_several<R: Real>(
             return Ok(inner.or(Some(theta)));
         }
     }
-    // Too small to be hit: find small boxes that may hold some of it, in
-    // random order, and lay lines through them.
+    // The set is too small for that: find small boxes that may hold some of it, in random
+    // order, and lay lines through them.
     let mut search = BoxSearch::new(rng.next_u32());
     for _ in 0..BOXES {
         let Some((low, high)) = search.next(parameters)? else {

@@ -42,12 +42,12 @@ impl<'t> Domain<'t> {
         Ok(domain)
     }
 
-    /// As [`Domain::parse`], into an empty domain where it lies: domains are large, and
-    /// small machines have no stack for a second one.
+    /// As [`Domain::parse`], but reads into an empty domain, in place: domains are large,
+    /// and small machines have no stack for a second one.
     ///
     /// # Errors
     /// Those of [`Domain::parse`], and [`Error::OutOfSequence`] for a domain that is not
-    /// empty. After an error the domain is of no use.
+    /// empty. After an error the domain cannot be used.
     pub fn read(&mut self, text: &'t str) -> Result<(), Error> {
         if !self.text.is_empty() {
             return Err(Error::OutOfSequence("the domain was read already"));

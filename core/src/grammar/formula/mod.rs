@@ -145,7 +145,7 @@ impl Formula {
         added
     }
 
-    /// Makes it the same as another, where it lies.
+    /// Copies another formula into this one, in place.
     pub(crate) fn copy_from(&mut self, other: &Formula) {
         self.clear();
         // There is room: both have the same.
