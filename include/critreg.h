@@ -344,9 +344,8 @@
  *
  * LINKING
  *
- * Link with -lcritreg, and for the static library with -lpthread -ldl -lm too.
- * Two static libraries that are both made with Rust clash in one program: then
- * use the shared one. From C++, critreg.hpp wraps what follows.
+ * Link with -lcritreg, and for the static library with -lm too. From C++, critreg.hpp
+ * wraps what follows.
  */
 
 
