@@ -204,7 +204,8 @@
  * objects, 8 groups, 255 numbers of an instance, 32 constants, 6 parameters, 64
  * points of which 6 depend on a parameter, 16 shapes. Every member of a group
  * counts as an object, with its own numbers and points. A region can refer to 32
- * points, with those they are placed in.
+ * points, with those they are placed in. A text without an attribute of an object and
+ * without a parameter is refused: there is nothing to learn then.
  *
  *
  * THE REGION TEXT
