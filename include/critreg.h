@@ -226,7 +226,8 @@
  * Whoever has a planner uses the regions: critreg_sample_region() for an action,
  * critreg_sample_regions() for an action that has to be good for later ones,
  * critreg_region_contains() without a sample for an action without parameters, and
- * CRITREG_EMPTY_REGION as the reason to drop a plan skeleton.
+ * CRITREG_EMPTY_REGION as the reason to postpone a plan skeleton: proven is that no
+ * parameters are in the region, and a learned region may be wrong.
  *
  * Whoever has none uses this one: search, then sample (Srivastava et al. 2014;
  * Chitnis et al. 2022). An operator is a PDDL action with objects and, beyond PDDL,
@@ -301,9 +302,9 @@
  * It prints "Drive 3.0" and "Light 0.0".
  *
  * Regions are brought in by two more callbacks: sample draws from them, and advise
- * tells the search that a sequence of operators cannot work before anything is
- * drawn for it. Both are advice: if there is no plan before patience ends, planning
- * begins anew without it. critreg_metrics tells what planning cost, which operator
+ * tells the search that a sequence of operators is not expected to work before
+ * anything is drawn for it. Both are advice: if there is no plan before patience ends,
+ * planning begins anew without it. critreg_metrics tells what planning cost, which operator
  * failed most often, and which reason of the program's was given most often.
  * c_examples/plan_tasks.c shows all of it.
  *
@@ -1234,14 +1235,14 @@ typedef struct critreg_drawn {
 
 /**
  * Draws the parameters of a step, for instance with critreg_sample_regions().
- * Asked for operators without parameters, too: it may know that they cannot work.
+ * Asked for operators without parameters, too: it may expect that they do not work.
  *
  * @param user_data What the program passed to critreg_plan().
  * @param draw The step to draw for.
  * @param rng Random numbers. They follow from the seed of critreg_plan().
  * @param drawn Receives the parameters, or why there are none.
- * @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters work in this state,
- * upon which an earlier step is tried again; or what shall stop planning.
+ * @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters are expected to work in
+ * this state, upon which an earlier step is tried again; or what shall stop planning.
  */
 typedef critreg_status (*critreg_sample)(void *user_data,
                                          const struct critreg_draw *draw,
@@ -1461,8 +1462,9 @@ typedef struct critreg_metrics {
 #define CRITREG_CAPACITY_EXCEEDED 7
 
 /**
- * It is proven that the region admits no parameters in this instance: drop the
- * plan skeleton, or fall back on another sampler.
+ * Proven: no parameters are in the region in this instance. Where the region is right
+ * nothing works here, so postpone the plan skeleton, or drop it; a learned region may
+ * be wrong.
  */
 #define CRITREG_EMPTY_REGION 8
 
@@ -2131,7 +2133,7 @@ critreg_status critreg_region_is_empty(const struct critreg_region *region,
  * double theta[1];
  * switch (critreg_sample_region(region, instance, &rng, theta)) {
  * case CRITREG_OK:           return try_action(theta);
- * case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+ * case CRITREG_EMPTY_REGION: return postpone_this_skeleton();
  * default:                   return try_action_with_any_parameters();
  * }
  * ```
@@ -2140,7 +2142,7 @@ critreg_status critreg_region_is_empty(const struct critreg_region *region,
  * @param instance The instance: one number per attribute.
  * @param rng The generator, which moves on, also if no parameters are found.
  * @param theta Receives the parameters: one number each. NULL if there are none.
- * @return CRITREG_EMPTY_REGION if it is proven that there are none,
+ * @return CRITREG_EMPTY_REGION if it is proven that the region has none here,
  * CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_NOT_FINITE,
  * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
  */
@@ -2158,14 +2160,14 @@ critreg_status critreg_sample_region(const struct critreg_region *region,
  * which parameters of the first action the last one works. It is put into as many
  * instances as the plan skeleton has last actions, one for each button that is
  * going to be pressed, and the intersection is known before anything is tried: if
- * it is empty, so is the hope for the skeleton.
+ * it is empty, the skeleton contradicts what was learned.
  *
  * ```c
  * const critreg_region *regions[] = {pick, pick_and_press, pick_and_press};
  * const double *instances[] = {now, with_first_button, with_second_button};
  * switch (critreg_sample_regions(regions, instances, 3, &rng, theta)) {
  * case CRITREG_OK:           return try_action(theta);
- * case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+ * case CRITREG_EMPTY_REGION: return postpone_this_skeleton();
  * default:                   return try_action_with_any_parameters();
  * }
  * ```
@@ -2178,8 +2180,8 @@ critreg_status critreg_sample_region(const struct critreg_region *region,
  * @param count How many regions there are, from 1 to CRITREG_MAX_REGIONS.
  * @param rng The generator, which moves on, also if no parameters are found.
  * @param theta Receives the parameters: one number each. NULL if there are none.
- * @return CRITREG_EMPTY_REGION if it is proven that there are none,
- * CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_MISMATCH if the
+ * @return CRITREG_EMPTY_REGION if it is proven that the regions have none in common
+ * here, CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_MISMATCH if the
  * regions have other parameters; CRITREG_CAPACITY_EXCEEDED for too many regions;
  * CRITREG_INVALID_ARGUMENT for no region; CRITREG_NOT_FINITE,
  * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.

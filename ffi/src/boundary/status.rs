@@ -30,8 +30,9 @@ pub const CRITREG_NOT_FINITE: critreg_status = 5;
 pub const CRITREG_SYNTAX_ERROR: critreg_status = 6;
 /// A table of the library is full: too many objects, constraints, observations.
 pub const CRITREG_CAPACITY_EXCEEDED: critreg_status = 7;
-/// It is proven that the region admits no parameters in this instance: drop the
-/// plan skeleton, or fall back on another sampler.
+/// Proven: no parameters are in the region in this instance. Where the region is right
+/// nothing works here, so postpone the plan skeleton, or drop it; a learned region may
+/// be wrong.
 pub const CRITREG_EMPTY_REGION: critreg_status = 8;
 /// No parameters were found within the budget; the region may be empty.
 pub const CRITREG_NO_SAMPLE: critreg_status = 9;
@@ -175,7 +176,7 @@ const CODES: [(&CStr, &CStr); 18] = [
     ),
     (
         c"CRITREG_EMPTY_REGION",
-        c"the region is empty in this instance",
+        c"no parameters are in the region in this instance",
     ),
     (
         c"CRITREG_NO_SAMPLE",

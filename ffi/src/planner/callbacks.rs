@@ -151,14 +151,14 @@ pub type critreg_holds = Option<
 >;
 
 /// Draws the parameters of a step, for instance with critreg_sample_regions().
-/// Asked for operators without parameters, too: it may know that they cannot work.
+/// Asked for operators without parameters, too: it may expect that they do not work.
 ///
 /// @param user_data What the program passed to critreg_plan().
 /// @param draw The step to draw for.
 /// @param rng Random numbers. They follow from the seed of critreg_plan().
 /// @param drawn Receives the parameters, or why there are none.
-/// @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters work in this state,
-/// upon which an earlier step is tried again; or what shall stop planning.
+/// @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters are expected to work in
+/// this state, upon which an earlier step is tried again; or what shall stop planning.
 pub type critreg_sample = Option<
     unsafe extern "C" fn(
         user_data: *mut c_void,
