@@ -104,6 +104,26 @@
  * The same inputs and seed give the same results on every machine.
  *
  *
+ * OUTCOMES
+ *
+ * What came of a trial is one of these numbers:
+ *
+ *     CRITREG_FEASIBLE          1    the action worked
+ *     CRITREG_INFEASIBLE        0    it failed
+ *     CRITREG_FAILED_STEP(k)   -k    step k of a sequence failed, those before it worked
+ *     CRITREG_UNKNOWN           2    there is no answer: a crash, a time-out
+ *
+ * So a bool is an outcome, and "*outcome = works;" is right. A sequence of actions
+ * (critreg_config.steps above 1) needs to know which step failed: there
+ * CRITREG_INFEASIBLE is refused. An unknown outcome teaches nothing: the sample is put
+ * aside and counted in the report.
+ *
+ * Every other number is refused with CRITREG_INVALID_ARGUMENT, and
+ * critreg_learner_message() tells which one it was. So is CRITREG_NO_OUTCOME, which
+ * the outcome holds before a callback is called: a callback that writes nothing is
+ * found out. The sample that was refused is asked for again.
+ *
+ *
  * LEARNERS
  *
  * CRITREG_VERSION_SPACE, the default, is sound. Its hypotheses are forms: a feature
@@ -123,9 +143,9 @@
  * they prove about it is in the report: the certificate.
  *
  * Sequences of actions: if the action is a chain, say in critreg_config.steps how
- * many steps it has, and answer with the number of the step that failed. Each step
+ * many steps it has, and answer with CRITREG_FAILED_STEP(k) if step k failed. Each step
  * is learned from the samples that reached it, and the region is what all of them
- * need.
+ * need. CRITREG_ALGORITHM1 makes no difference between steps.
  *
  * Wrong answers: if a share of the answers is wrong, say so in
  * critreg_config.noise. Every sample is then asked until one answer leads by enough
@@ -356,6 +376,12 @@
 
 #include <stddef.h>
 #include <stdint.h>
+
+/**
+ * The outcome of a sequence of actions whose step k failed, from 1; the steps before it
+ * worked.
+ */
+#define CRITREG_FAILED_STEP(k) (-(critreg_outcome)(k))
 
 /**
  * How many uint64_t make the memory of a learner with room for so many hypotheses,
@@ -793,6 +819,10 @@ typedef struct critreg_report {
      */
     uint64_t infeasible;
     /**
+     * Samples that were put aside, because their outcome is CRITREG_UNKNOWN.
+     */
+    uint64_t unknown;
+    /**
      * CRITREG_VERSION_SPACE: samples that the region is wrong about; see
      * critreg_config.slack.
      */
@@ -942,12 +972,8 @@ typedef struct critreg_config {
 } critreg_config;
 
 /**
- * What came of an action: CRITREG_FEASIBLE, or the number of the step of an
- * action sequence that failed, counted from one.
- *
- * CRITREG_VERSION_SPACE learns what each step needs from the samples that reached
- * it; the steps before the one that failed worked. It accepts numbers up to
- * critreg_config.steps. CRITREG_ALGORITHM1 makes no difference between steps.
+ * What came of a trial: CRITREG_INFEASIBLE, CRITREG_FEASIBLE, CRITREG_UNKNOWN or
+ * CRITREG_FAILED_STEP(k); see OUTCOMES above.
  */
 typedef int32_t critreg_outcome;
 
@@ -960,9 +986,11 @@ typedef int32_t critreg_outcome;
  * it as const; the others return CRITREG_BUSY.
  *
  * @param user_data What the program passed to critreg_learn_region().
- * @param instance The instance: one number per attribute.
- * @param theta The parameters to try: one number each.
- * @param outcome Receives what came of it.
+ * @param instance The instance: one number per attribute. Points to a number also
+ * where the domain has no objects.
+ * @param theta The parameters to try: one number each. Points to a number also if
+ * there are none.
+ * @param outcome Receives what came of it; holds CRITREG_NO_OUTCOME, which is refused.
  * @return CRITREG_OK if there is an outcome. Anything else stops learning and
  * becomes the status of critreg_learn_region(): CRITREG_CANCELLED, or
  * CRITREG_USER_STATUS and above. The sample then stays to be tried.
@@ -1523,15 +1551,27 @@ typedef struct critreg_metrics {
 #define CRITREG_USER_STATUS 1000
 
 /**
- * The action worked.
+ * The action failed. It is what false says. Of a sequence of actions it does not say
+ * enough: use CRITREG_FAILED_STEP(k).
  */
-#define CRITREG_FEASIBLE 0
+#define CRITREG_INFEASIBLE 0
 
 /**
- * The action failed; in a sequence of actions, the first one did. Failures of
- * later steps are 2, 3 and so on.
+ * The action worked. It is what true says.
  */
-#define CRITREG_INFEASIBLE 1
+#define CRITREG_FEASIBLE 1
+
+/**
+ * There is no answer: the trial crashed, say, or took too long. It teaches nothing, and
+ * the sample is put aside.
+ */
+#define CRITREG_UNKNOWN 2
+
+/**
+ * What an outcome holds before a callback is to write it, so that one that was not
+ * written is noticed. It is refused.
+ */
+#define CRITREG_NO_OUTCOME INT32_MIN
 
 /**
  * Go on with it.
@@ -1700,12 +1740,12 @@ critreg_status critreg_learner_parameter_count(const struct critreg_learner *lea
  * critreg_learner_region() is.
  * @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
  * there is no room for another observation (critreg_learner_region() still has
- * what was learned) or for so many instances (critreg_config.instances); the status of a callback that was not CRITREG_OK;
- * CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative, was
- * not written or is a step that the configuration does not have;
- * CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
- * if the instances changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER,
- * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ * what was learned) or for so many instances (critreg_config.instances); the status
+ * of a callback that was not CRITREG_OK; CRITREG_INVALID_ARGUMENT for no instance, or
+ * an outcome that was not written or is none (the sample then stays to be tried);
+ * CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH if the instances
+ * changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
  */
 critreg_status critreg_learn_region(struct critreg_learner *learner,
                                     const double *instances,
@@ -1755,8 +1795,8 @@ critreg_status critreg_ask(struct critreg_learner *learner,
  * @param count How many there are.
  * @param outcome What came of the sample.
  * @return CRITREG_OUT_OF_SEQUENCE if nothing was asked; CRITREG_CAPACITY_EXCEEDED
- * if there is no room for another observation; CRITREG_INVALID_ARGUMENT for an
- * outcome that is negative or a step that the configuration does not have; and as
+ * if there is no room for another observation; CRITREG_INVALID_ARGUMENT for a number
+ * that is no outcome, or a step that the configuration does not have; and as
  * critreg_ask().
  */
 critreg_status critreg_tell(struct critreg_learner *learner,

@@ -37,6 +37,16 @@ pub(crate) unsafe fn slice<'a, T>(
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
 }
 
+/// A pointer to these numbers for a callback; to some number if there are none, because
+/// an empty slice lies nowhere.
+pub(crate) fn to_numbers(numbers: &[f64]) -> *const f64 {
+    static SOME: f64 = 0.0;
+    match numbers {
+        [] => &raw const SOME,
+        _ => numbers.as_ptr(),
+    }
+}
+
 /// The text at a pointer, of at most `longest` bytes with its NUL.
 ///
 /// # Safety

@@ -74,6 +74,8 @@ pub(crate) enum Failure {
     NotAHandle,
     /// No plan was found; how planning ended.
     NoPlan(&'static str),
+    /// A number is none of those that are expected; what is expected, and the number.
+    Number(&'static str, i32),
     /// The core refused.
     Core(Error),
 }
@@ -100,6 +102,7 @@ impl Failure {
             Failure::Stopped(status, _) => status,
             Failure::NotAHandle => CRITREG_NOT_A_HANDLE,
             Failure::NoPlan(_) => CRITREG_NO_PLAN,
+            Failure::Number(..) => CRITREG_INVALID_ARGUMENT,
             Failure::Core(error) => match error {
                 Error::Syntax(_) => CRITREG_SYNTAX_ERROR,
                 Error::CapacityExceeded(_) => CRITREG_CAPACITY_EXCEEDED,
@@ -125,6 +128,7 @@ impl fmt::Display for Failure {
             Failure::Stopped(status, name) => write!(f, "{name} returned status {status}"),
             Failure::NotAHandle => f.write_str("this is no handle"),
             Failure::NoPlan(how) => write!(f, "no plan: {how}"),
+            Failure::Number(expected, number) => write!(f, "{expected}, not {number}"),
             Failure::Core(error) => error.fmt(f),
         }
     }

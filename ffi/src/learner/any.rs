@@ -29,6 +29,16 @@ impl Capacity {
         }
     }
 
+    /// Steps of the sequence that is learned about; `None` if it makes no difference
+    /// which one fails.
+    pub(crate) const fn steps(self) -> Option<usize> {
+        match self {
+            #[cfg(feature = "algorithm1")]
+            Capacity::Algorithm1(_) => None,
+            Capacity::VersionSpace(capacity) => Some(capacity.steps),
+        }
+    }
+
     /// The same with another number of hypotheses.
     pub(crate) const fn with_hypotheses(self, hypotheses: usize) -> Capacity {
         match self {

@@ -4,6 +4,7 @@ use crate::boundary::handle::{self, Handle};
 use crate::boundary::pointer;
 use crate::boundary::status::{CRITREG_BUSY, CRITREG_OK, Failure, Fallible, critreg_status};
 use crate::learner::any::AnyLearner;
+use crate::learner::outcome::{self, critreg_outcome};
 use crate::learner::report::{critreg_progress, critreg_report};
 use crate::region::handle::critreg_region;
 use core::cell::{Cell, RefCell};
@@ -25,6 +26,8 @@ pub struct critreg_learner {
 /// What a call on a learner borrows.
 pub(crate) struct Inner {
     pub(crate) learner: AnyLearner,
+    /// See [`Capacity::steps`](crate::learner::any::Capacity::steps).
+    pub(crate) steps: Option<usize>,
     /// Room for the handle of the learned region; a part of the caller's memory.
     pub(crate) region: *mut critreg_region,
     pub(crate) progress: critreg_progress,
@@ -38,6 +41,12 @@ impl Inner {
         // SAFETY: the region's part is reserved for the handle, and nothing refers
         // to it while a function runs that changes the learner.
         unsafe { handle::retire(self.region) }
+    }
+
+    /// Tells the learner what came of the sample it asked for.
+    pub(crate) fn tell(&mut self, problem: &Problem<'_>, outcome: critreg_outcome) -> Fallible {
+        let outcome = outcome::read(outcome, self.steps)?;
+        Ok(self.learner.tell(problem, outcome)?)
     }
 
     /// Copies the learned region into its handle. The copy is what makes the handle

@@ -24,6 +24,7 @@ pub(crate) struct LearnerLayout {
     pub(crate) region: Part<critreg_region>,
     pub(crate) domain: DomainLayout,
     tables: Tables,
+    pub(crate) capacity: Capacity,
     pub(crate) size: usize,
 }
 
@@ -241,6 +242,7 @@ impl LearnerLayout {
             region,
             domain,
             tables,
+            capacity,
             size: packer.size,
         })
     }

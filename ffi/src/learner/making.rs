@@ -136,6 +136,7 @@ unsafe fn put(
     unsafe {
         let mut inner = Inner {
             learner: layout.make(memory, domain, config)?,
+            steps: layout.capacity.steps(),
             region: layout.region.place(memory),
             progress: config.progress,
             progress_data: config.progress_data,

@@ -7,6 +7,7 @@
 //! | [`handle`] | a learner in the caller's memory |
 //! | `layout` | where its parts lie |
 //! | [`making`] | making one |
+//! | [`outcome`] | what came of a trial, as C says it |
 //! | [`learning`] | asking and telling |
 //! | [`inspection`] | what is asked about one: whether it is finished, what it learned |
 //! | [`report`] | how learning went |
@@ -19,5 +20,6 @@ pub mod inspection;
 pub(crate) mod layout;
 pub mod learning;
 pub mod making;
+pub mod outcome;
 pub mod report;
 pub mod saving;

@@ -44,6 +44,8 @@ pub struct critreg_report {
     pub feasible: u64,
     /// Samples that were infeasible.
     pub infeasible: u64,
+    /// Samples that were put aside, because their outcome is CRITREG_UNKNOWN.
+    pub unknown: u64,
     /// CRITREG_VERSION_SPACE: samples that the region is wrong about; see
     /// critreg_config.slack.
     pub strays: u64,
@@ -76,6 +78,7 @@ const EMPTY: critreg_report = critreg_report {
     calls: 0,
     feasible: 0,
     infeasible: 0,
+    unknown: 0,
     strays: 0,
     constraints_left_out: 0,
     certificate_draws: 0,
@@ -121,6 +124,7 @@ impl critreg_report {
             infeasible: report
                 .calls
                 .saturating_sub(report.feasible + report.unknown) as u64,
+            unknown: report.unknown as u64,
             constraints_left_out: report.constraints_left_out as u64,
             ..EMPTY
         }
@@ -135,6 +139,7 @@ impl critreg_report {
             calls: report.calls as u64,
             feasible: report.feasible as u64,
             infeasible: report.infeasible as u64,
+            unknown: report.unknown as u64,
             strays: report.strays as u64,
             constraints_left_out: report.constraints_left_out as u64,
             certificate_draws: report.certificate.draws.into(),

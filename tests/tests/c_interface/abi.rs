@@ -29,8 +29,24 @@ fn wrong_memory_texts_and_configurations() {
 }
 
 #[test]
-fn wrong_handles_instances_and_answers() {
+fn wrong_handles_and_instances() {
     passes("misuse_learner", &["misuse_learner.c"]);
+}
+
+#[test]
+fn wrong_outcomes() {
+    passes("misuse_outcomes", &["misuse_outcomes.c"]);
+}
+
+#[test]
+fn a_bool_says_what_works() {
+    passes("bool", &["bool.c"]);
+    let source = root().join("tests/c/bool.cpp");
+    run(&mut Command::new(compile(
+        "bool_cpp",
+        &[source],
+        Language::Cpp17,
+    )));
 }
 
 #[test]
