@@ -13,7 +13,7 @@
 //!
 //! | module | what it knows |
 //! |---|---|
-//! | [`mod@env`] | built-in environments: a simulator, its predicates, controllers, operators, tasks |
+//! | [`mod@env`] | built-in environments: a simulator, its predicates, controllers, operators, tasks; all but `stick_button` with the feature `environments` |
 //! | [`skill`] | regions in the planner: roles, learning from training tasks, sampler and guide |
 //! | [`plan`] | a bilevel planner: sequences of operators first, then their parameters |
 //! | [`pddl`] | operators and problems as text, grounded |

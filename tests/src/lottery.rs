@@ -121,21 +121,10 @@ impl Lottery {
 impl Environment for Lottery {
     type Action = f32;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        &CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &OPERATORS
-    }
+    const TYPES: &'static [ObjectType] = &TYPES;
+    const PREDICATES: &'static [Predicate<Self>] = &PREDICATES;
+    const CONTROLLERS: &'static [Controller<Self>] = &CONTROLLERS;
+    const OPERATORS: &'static [Operator<'static>] = &OPERATORS;
 
     fn simulate(&self, state: &mut State, seed: f32) -> Result<(), Failure> {
         if chance(state, seed) < self.winning {

@@ -6,123 +6,11 @@
 //! are there: "the nearest obstacle is at least 0.2 away" holds for all of them,
 //! however many there are, and so one region serves every instance.
 
-use super::expression::{Coordinate, Metric, Node};
-use super::schema::{Domain, Object};
-use crate::real::Real;
-
-/// Most groups in a domain.
-pub const MAX_GROUPS: usize = 8;
-
-/// Objects of one type under one name. Members stand one behind the other, among
-/// the objects, in an instance, and in each kind of point that they have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Group {
-    /// Index of the first member among the objects.
-    pub first_object: u8,
-    /// How many members there can be.
-    pub count: u8,
-}
-
-/// To which group an object or point belongs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Member {
-    /// Index of the group.
-    pub group: u8,
-    /// Which of its members, from 0.
-    pub index: u8,
-}
-
-/// Which of several values counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extreme {
-    /// `min(...)`
-    Least,
-    /// `max(...)`
-    Greatest,
-}
-
-impl Extreme {
-    /// Both, in the order of the grammar.
-    pub const ALL: [Extreme; 2] = [Extreme::Least, Extreme::Greatest];
-
-    /// Its name in the texts.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Extreme::Least => "min",
-            Extreme::Greatest => "max",
-        }
-    }
-
-    /// The one with this name.
-    pub fn from_name(name: &str) -> Option<Extreme> {
-        Extreme::ALL.into_iter().find(|e| e.name() == name)
-    }
-
-    /// The one of two values that counts.
-    pub fn of<R: Real>(self, a: R, b: R) -> R {
-        match self {
-            Extreme::Least => a.min(b),
-            Extreme::Greatest => a.max(b),
-        }
-    }
-
-    /// The value over nothing: infinite, so that "at least" of a least value and
-    /// "at most" of a greatest one hold.
-    pub fn of_nothing<R: Real>(self) -> R {
-        match self {
-            Extreme::Least => R::INFINITY,
-            Extreme::Greatest => -R::INFINITY,
-        }
-    }
-}
-
-/// A term about the members of one group, of which the extreme is taken. It names
-/// the first member, which stands for each of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
-    /// As [`Node::Attribute`].
-    Attribute(u8),
-    /// As [`Node::Coordinate`].
-    Coordinate(Coordinate, u8),
-    /// As [`Node::Distance`].
-    Distance(Metric, u8, u8),
-    /// As [`Node::Angle`].
-    Angle(u8, u8),
-    /// As [`Node::VertexAngle`].
-    VertexAngle(u8, u8, u8),
-}
-
-impl Relation {
-    /// The relation that is this term; `None` for any other term.
-    pub fn of(term: Node) -> Option<Relation> {
-        match term {
-            Node::Attribute(slot) => Some(Relation::Attribute(slot)),
-            Node::Coordinate(coordinate, point) => Some(Relation::Coordinate(coordinate, point)),
-            Node::Distance(metric, a, b) => Some(Relation::Distance(metric, a, b)),
-            Node::Angle(a, b) => Some(Relation::Angle(a, b)),
-            Node::VertexAngle(a, b, c) => Some(Relation::VertexAngle(a, b, c)),
-            _ => None,
-        }
-    }
-
-    /// The term about the first member.
-    pub fn term(self) -> Node {
-        match self {
-            Relation::Attribute(slot) => Node::Attribute(slot),
-            Relation::Coordinate(coordinate, point) => Node::Coordinate(coordinate, point),
-            Relation::Distance(metric, a, b) => Node::Distance(metric, a, b),
-            Relation::Angle(a, b) => Node::Angle(a, b),
-            Relation::VertexAngle(a, b, c) => Node::VertexAngle(a, b, c),
-        }
-    }
-}
+use super::declarations::{Member, Object};
+use super::node::{Node, Relation};
+use super::schema::Domain;
 
 impl<'t> Domain<'t> {
-    /// The groups in order of declaration.
-    pub fn groups(&self) -> &[Group] {
-        &self.groups
-    }
-
     /// The members of a group; none for an index that is none.
     pub fn members(&self, group: u8) -> &[Object<'t>] {
         let group = self.groups.get(usize::from(group));
@@ -178,19 +66,5 @@ impl<'t> Domain<'t> {
         let stride = self.attributes_of(first.type_index).len();
         let moved = usize::from(slot) + stride * usize::from(index);
         u8::try_from(moved).unwrap_or(slot)
-    }
-
-    /// The object to which a number of an instance belongs.
-    pub(super) fn owner(&self, slot: u8) -> Option<&Object<'t>> {
-        self.objects.iter().rfind(|o| o.first_slot <= slot)
-    }
-}
-
-impl Object<'_> {
-    /// Whether an instance has it: a member of a group that is absent has NaN for
-    /// each of its numbers.
-    pub(super) fn is_present(&self, instance: &[f64]) -> bool {
-        let first = instance.get(usize::from(self.first_slot));
-        self.member.is_none() || first.is_some_and(|number| !number.is_nan())
     }
 }

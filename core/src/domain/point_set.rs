@@ -1,7 +1,8 @@
 //! Sets of points: what a region or learner speaks about.
 
-use super::expression::Node;
-use super::schema::{Base, Domain, MAX_POINTS, Point, PoseSlots};
+use super::declarations::{Base, Point, PoseSlots};
+use super::node::Node;
+use super::schema::{Domain, MAX_POINTS};
 
 /// A set of points of a domain, with the points they are placed in. Those that move
 /// with a parameter are kept apart.

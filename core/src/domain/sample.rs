@@ -1,10 +1,9 @@
 //! A scene at one sample: points that depend on parameters, and values of expressions.
 
 use super::algebra::{Algebra, Arithmetic, Measure};
-use super::expression::{Coordinate, Metric, Node, NodeId};
-use super::group::{Extreme, Relation};
+use super::declarations::{Base, Point};
+use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Relation};
 use super::scene::{MAX_SAMPLE_POINTS, Scene, is_zero, parameter};
-use super::schema::{Base, Point};
 use super::turns::Turn;
 use crate::geometry::Rotation;
 use crate::real::Real;
@@ -27,6 +26,15 @@ pub struct Sample<'s, 'a, R, A> {
     placed: Vec<Placed<A>, MAX_SAMPLE_POINTS>,
     /// Of the points that are turned.
     rotations: Vec<R, { 9 * MAX_SAMPLE_POINTS }>,
+}
+
+impl<'a, R: Real> Scene<'a, R> {
+    /// The scene at a sample; `theta` has one entry per parameter.
+    pub fn sample<'s, A: Algebra<R>>(&'s self, theta: &'s [A]) -> Sample<'s, 'a, R, A> {
+        let mut sample = Sample::blank(self, theta);
+        sample.settle();
+        sample
+    }
 }
 
 impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {

@@ -3,11 +3,10 @@
 //! objects and key points, and all their sines and cosines) is computed once.
 
 use super::algebra::{Algebra, Arithmetic};
-use super::expression::{Node, NodeId};
-use super::group::Relation;
+use super::declarations::{Base, Point, Shape};
+use super::node::{Node, NodeId, Relation};
 use super::point_set::PointSet;
-use super::sample::Sample;
-use super::schema::{Base, Domain, MAX_OBJECTS, MAX_POINTS, Point, Shape};
+use super::schema::{Domain, MAX_OBJECTS, MAX_POINTS};
 use super::turns::Turn;
 use crate::error::Error;
 use crate::geometry::Rotation;
@@ -106,13 +105,6 @@ impl<'a, R: Real> Scene<'a, R> {
         let _ = self.origins.push(origin);
         let _ = self.turns.push(turn);
         Ok(())
-    }
-
-    /// The scene at a sample; `theta` has one entry per parameter.
-    pub fn sample<'s, A: Algebra<R>>(&'s self, theta: &'s [A]) -> Sample<'s, 'a, R, A> {
-        let mut sample = Sample::blank(self, theta);
-        sample.settle();
-        sample
     }
 
     pub(super) fn slot(&self, slot: u8) -> R {

@@ -1,10 +1,16 @@
 //! Built-in environments: worlds to learn in, to measure with and to test on.
 //!
 //! Each implements [`crate::task::Environment`]; nothing else in the library
-//! knows of any of them.
+//! knows of any of them. [`stick_button`] is that of the thesis and always there; the
+//! others (`blocks`, `cluttered_table`, `cover`, `shelf`) are there with the Cargo
+//! feature `environments`.
 
+#[cfg(feature = "environments")]
 pub mod blocks;
+#[cfg(feature = "environments")]
 pub mod cluttered_table;
+#[cfg(feature = "environments")]
 pub mod cover;
+#[cfg(feature = "environments")]
 pub mod shelf;
 pub mod stick_button;

@@ -39,9 +39,9 @@
 //!
 //! let environment = StickButton { angles: false };
 //! let task = environment.task(1..=1, &mut generator(3))?;
-//! let atoms = Atoms::new(&environment, &task.initial)?;
+//! let atoms = Atoms::new::<StickButton>(&task.initial)?;
 //! let mut operators: heapless::Vec<GroundOperator, 32> = heapless::Vec::new();
-//! ground_operators(environment.operators(), &task.initial, &atoms, &mut operators)?;
+//! ground_operators(StickButton::OPERATORS, &task.initial, &atoms, &mut operators)?;
 //! let goal = AbstractTask {
 //!     operators: &operators,
 //!     initial: atoms.abstract_state(&environment, &task.initial),

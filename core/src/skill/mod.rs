@@ -128,7 +128,7 @@ impl<'m> Skills<'m> {
         skills: &'m mut [Option<Skill>],
         changes: &'m mut [Changes],
     ) -> Result<Self, Error> {
-        let (descriptions, controllers) = (environment.descriptions(), environment.controllers());
+        let (descriptions, controllers) = (environment.descriptions(), E::CONTROLLERS);
         let skills = skills.get_mut(..descriptions.len());
         let skills = skills.ok_or(Error::CapacityExceeded("skills"))?;
         let changes = changes.get_mut(..controllers.len());
@@ -149,7 +149,7 @@ impl<'m> Skills<'m> {
             let later = later.map_or(&[][..], |later| later.arguments);
             *skill = Some(Skill {
                 description: *description,
-                binding: Binding::new(&domain, environment.types(), own.arguments, later)?,
+                binding: Binding::new(&domain, E::TYPES, own.arguments, later)?,
                 domain,
                 region: None,
                 reads: 0,

@@ -34,7 +34,7 @@ impl<E: Environment> Scope<'_, E> {
 
     /// The predicates that are about objects of a type.
     fn narrowing(&self, kind: TypeId) -> impl Iterator<Item = &'static crate::task::Predicate<E>> {
-        let all = self.environment.predicates();
+        let all = E::PREDICATES;
         let named = self
             .among
             .iter()

@@ -206,9 +206,9 @@ fn enumerate<E: Describe>(
 ) -> Result<usize, Error> {
     let mut count = 0;
     for (index, task) in (0..).zip(tasks) {
-        let atoms = Atoms::new(environment, &task.initial)?;
+        let atoms = Atoms::new::<E>(&task.initial)?;
         memory.operators.clear();
-        let lifted = environment.operators();
+        let lifted = E::OPERATORS;
         ground_operators(lifted, &task.initial, &atoms, memory.operators)?;
         let (of_task, initial) = (count, atoms.abstract_state(environment, &task.initial));
         let own = of_controller(environment, memory.operators, skill.description.own);
@@ -306,9 +306,9 @@ impl<'t, 'o, E: Describe> Grounded<'t, 'o, E> {
         candidate: &Candidate,
         seed: u64,
     ) -> Result<Self, Error> {
-        let atoms = Atoms::new(environment, &task.initial)?;
+        let atoms = Atoms::new::<E>(&task.initial)?;
         operators.clear();
-        ground_operators(environment.operators(), &task.initial, &atoms, operators)?;
+        ground_operators(E::OPERATORS, &task.initial, &atoms, operators)?;
         operators.retain(|ground| {
             let own = controller_objects(environment, ground);
             own.is_ok_and(|own| own.as_slice().iter().all(|object| candidate.has(*object)))

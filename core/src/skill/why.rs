@@ -37,7 +37,7 @@ impl<E: Describe> Informed<'_, E> {
         }
         let mut out = Named {
             skill: None,
-            types: self.environment.types(),
+            types: E::TYPES,
             scope: Scope {
                 environment: self.environment,
                 state: self.initial,
@@ -85,7 +85,7 @@ impl<E: Describe> Informed<'_, E> {
         let mut before = "(";
         for object in run.objects.as_slice() {
             out.write_str(before)?;
-            let name = self.initial.name(self.environment.types(), *object);
+            let name = self.initial.name(E::TYPES, *object);
             name.ok_or(fmt::Error)?.write(out)?;
             before = ", ";
         }

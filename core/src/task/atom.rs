@@ -1,6 +1,5 @@
 //! Predicates and atoms (thesis 4.1.1).
 
-use super::environment::Environment;
 use super::state::{ObjectId, State, TypeId};
 use crate::error::Error;
 
@@ -130,17 +129,6 @@ pub struct GroundAtom {
     pub predicate: PredicateId,
     /// Its arguments.
     pub objects: Arguments,
-}
-
-impl GroundAtom {
-    /// Whether the atom holds in a state; false for a predicate that the
-    /// environment does not have.
-    pub fn holds<E: Environment>(&self, environment: &E, state: &State) -> bool {
-        environment
-            .predicates()
-            .get(usize::from(self.predicate.0))
-            .is_some_and(|p| (p.classifier)(environment, state, self.objects.as_slice()))
-    }
 }
 
 /// All ways to fill typed places with objects of a state, the last place changing

@@ -2,8 +2,8 @@
 //! predicates of thesis 4.1.1.
 
 use super::atom::Predicate;
-use super::controller::{Controller, ControllerId, Parameters};
-use super::operator::{GroundOperator, Operator, OperatorId};
+use super::controller::{Controller, Parameters};
+use super::operator::{ControllerId, GroundOperator, Operator, OperatorId};
 use super::state::{ObjectId, ObjectType, State};
 use crate::error::Error;
 use crate::random::uniform_in;
@@ -22,23 +22,23 @@ pub trait Environment: Sized + 'static {
     const MAX_CONTROLLER_STEPS: u32 = 50;
 
     /// Lambda and d: the types of objects and their attributes.
-    fn types(&self) -> &'static [ObjectType];
+    const TYPES: &'static [ObjectType];
 
     /// Psi: the predicates.
-    fn predicates(&self) -> &'static [Predicate<Self>];
+    const PREDICATES: &'static [Predicate<Self>];
 
     /// C: the controllers.
-    fn controllers(&self) -> &'static [Controller<Self>];
+    const CONTROLLERS: &'static [Controller<Self>];
 
     /// Omega: the operators.
-    fn operators(&self) -> &'static [Operator<'static>];
+    const OPERATORS: &'static [Operator<'static>];
 
     /// The operator that a ground one is an instance of.
     ///
     /// # Errors
     /// [`Error::Mismatch`] if it is none of this environment.
     fn operator(&self, ground: &GroundOperator) -> Result<&'static Operator<'static>, Error> {
-        let operator = self.operators().get(usize::from(ground.operator.0));
+        let operator = Self::OPERATORS.get(usize::from(ground.operator.0));
         operator.ok_or(Error::Mismatch("an operator is not of this environment"))
     }
 
@@ -47,7 +47,7 @@ pub trait Environment: Sized + 'static {
     /// # Errors
     /// [`Error::Mismatch`] if this environment has none with this index.
     fn controller(&self, id: ControllerId) -> Result<&'static Controller<Self>, Error> {
-        let controller = self.controllers().get(usize::from(id.0));
+        let controller = Self::CONTROLLERS.get(usize::from(id.0));
         controller.ok_or(Error::Mismatch("a controller is not of this environment"))
     }
 
@@ -69,7 +69,7 @@ pub trait Environment: Sized + 'static {
         _objects: &[ObjectId],
         rng: &mut G,
     ) -> Parameters {
-        let operator = self.operators().get(usize::from(operator.0));
+        let operator = Self::OPERATORS.get(usize::from(operator.0));
         let controller = operator.and_then(|o| self.controller(o.controller).ok());
         let space = controller.map_or(&[][..], |c| c.parameters);
         let numbers = space

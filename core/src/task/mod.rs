@@ -7,22 +7,22 @@
 
 mod abstraction;
 mod atom;
+mod atom_set;
 mod controller;
 mod environment;
 mod operator;
+mod rollout;
 mod state;
 mod trial;
 
-pub use abstraction::{AtomSet, Atoms, MAX_ATOMS};
 pub use atom::{
     Arguments, GroundAtom, Groundings, LiftedAtom, MAX_ARGUMENTS, Predicate, PredicateId,
 };
-pub use controller::{
-    Controller, ControllerId, Ending, OfAction, Parameters, Rollout, Terminal, always, rollout,
-    rollout_from,
-};
+pub use atom_set::{AtomSet, Atoms, MAX_ATOMS};
+pub use controller::{Controller, OfAction, Parameters, Terminal, always};
 pub use environment::{Environment, Failure};
-pub use operator::{GroundOperator, Operator, OperatorId, ground_operators};
+pub use operator::{ControllerId, GroundOperator, Operator, OperatorId, ground_operators};
+pub use rollout::{Ending, Rollout, rollout, rollout_from};
 pub use state::{MAX_STATE_VALUES, Naming, ObjectId, ObjectName, ObjectType, State, TypeId};
 pub use trial::{Trial, Verdict, try_operator, try_operator_from};
 

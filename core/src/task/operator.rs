@@ -1,8 +1,7 @@
 //! Operators (thesis 4.1.1, Definition 2).
 
-use super::abstraction::{AtomSet, Atoms};
 use super::atom::{Arguments, Groundings, LiftedAtom, substitute};
-use super::controller::ControllerId;
+use super::atom_set::{AtomSet, Atoms};
 use super::state::{ObjectId, State, TypeId};
 use crate::error::Error;
 use heapless::VecView;
@@ -10,6 +9,10 @@ use heapless::VecView;
 /// Index of an [`Operator`] in the table of its environment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct OperatorId(pub u8);
+
+/// Index of a [`Controller`](super::Controller) in the table of its environment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ControllerId(pub u8);
 
 /// An operator omega = (PAR, PRE, EFF+, EFF-, CON).
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,9 @@
 //! Trying an operator with given parameters: the question that is learned.
 
 use super::atom::LiftedAtom;
-use super::controller::{Ending, rollout_from};
 use super::environment::{Environment, Failure};
 use super::operator::Operator;
+use super::rollout::{Ending, rollout_from};
 use super::state::{ObjectId, State};
 
 /// Whether an action did what its operator promises.
@@ -138,68 +138,57 @@ mod tests {
     impl Environment for Cart {
         type Action = f64;
 
-        fn types(&self) -> &'static [ObjectType] {
-            &[ObjectType {
-                name: "cart",
-                attributes: &[Attribute {
-                    name: "x",
-                    dimension: Dimension::Length,
-                }],
-                naming: Naming::Single("cart"),
-            }]
-        }
-
-        fn predicates(&self) -> &'static [Predicate<Self>] {
-            &[
-                Predicate {
-                    name: "PastOne",
-                    arguments: &[CART],
-                    classifier: |_, state, _| position(state) > 1.0,
-                },
-                Predicate {
-                    name: "Positive",
-                    arguments: &[CART],
-                    classifier: |_, state, _| position(state) > 0.0,
-                },
-            ]
-        }
-
-        fn controllers(&self) -> &'static [Controller<Self>] {
-            &[Controller {
-                name: "Roll",
+        const TYPES: &'static [ObjectType] = &[ObjectType {
+            name: "cart",
+            attributes: &[Attribute {
+                name: "x",
+                dimension: Dimension::Length,
+            }],
+            naming: Naming::Single("cart"),
+        }];
+        const PREDICATES: &'static [Predicate<Self>] = &[
+            Predicate {
+                name: "PastOne",
                 arguments: &[CART],
-                parameters: &[[-1.0, 1.0], [0.0, 10.0]],
-                initiable: |_, _, _, theta| theta.len() == 2,
-                policy: |_, _, _, theta| theta.first().copied().map_or(0.0, f64::from),
-                terminal: Terminal::When(|_, state, _, theta| {
-                    let end = theta.get(1);
-                    end.is_some_and(|end| position(state) >= f64::from(*end))
-                }),
-            }]
-        }
-
-        fn operators(&self) -> &'static [Operator<'static>] {
-            &[
-                Operator {
-                    name: "Advance",
-                    parameters: &[CART],
-                    preconditions: &[],
-                    add_effects: &[PAST_ONE],
-                    delete_effects: &[PAST_ONE],
-                    controller: ControllerId(0),
-                    controller_arguments: &[0],
-                },
-                Operator {
-                    name: "Vanish",
-                    parameters: &[CART],
-                    preconditions: &[],
-                    add_effects: &[PAST_ONE],
-                    delete_effects: &[POSITIVE],
-                    controller: ControllerId(0),
-                    controller_arguments: &[0],
-                },
-            ]
-        }
+                classifier: |_, state, _| position(state) > 1.0,
+            },
+            Predicate {
+                name: "Positive",
+                arguments: &[CART],
+                classifier: |_, state, _| position(state) > 0.0,
+            },
+        ];
+        const CONTROLLERS: &'static [Controller<Self>] = &[Controller {
+            name: "Roll",
+            arguments: &[CART],
+            parameters: &[[-1.0, 1.0], [0.0, 10.0]],
+            initiable: |_, _, _, theta| theta.len() == 2,
+            policy: |_, _, _, theta| theta.first().copied().map_or(0.0, f64::from),
+            terminal: Terminal::When(|_, state, _, theta| {
+                let end = theta.get(1);
+                end.is_some_and(|end| position(state) >= f64::from(*end))
+            }),
+        }];
+        const OPERATORS: &'static [Operator<'static>] = &[
+            Operator {
+                name: "Advance",
+                parameters: &[CART],
+                preconditions: &[],
+                add_effects: &[PAST_ONE],
+                delete_effects: &[PAST_ONE],
+                controller: ControllerId(0),
+                controller_arguments: &[0],
+            },
+            Operator {
+                name: "Vanish",
+                parameters: &[CART],
+                preconditions: &[],
+                add_effects: &[PAST_ONE],
+                delete_effects: &[POSITIVE],
+                controller: ControllerId(0),
+                controller_arguments: &[0],
+            },
+        ];
 
         fn simulate(&self, state: &mut State, action: f64) -> Result<(), Failure> {
             let moved = position(state) + action;
@@ -216,7 +205,7 @@ mod tests {
 
     fn start() -> State {
         let mut state = State::new();
-        state.add(Cart.types(), CART, &[0.0]).unwrap();
+        state.add(Cart::TYPES, CART, &[0.0]).unwrap();
         state
     }
 
@@ -233,7 +222,7 @@ mod tests {
             (&[-1.0, 9.0], Ending::Failed(failure), 0, 0.0),
             (&[1.0], Ending::NotInitiable, 0, 0.0),
         ];
-        let [controller] = Cart.controllers() else {
+        let [controller] = Cart::CONTROLLERS else {
             panic!()
         };
         for (theta, ending, actions, end) in cases {
@@ -245,7 +234,7 @@ mod tests {
 
     #[test]
     fn every_verdict() {
-        let [advance, vanish] = Cart.operators() else {
+        let [advance, vanish] = Cart::OPERATORS else {
             panic!()
         };
         let failure = Failure {

@@ -116,7 +116,7 @@ impl<'a> Scene<'a> {
         for name in names {
             // SAFETY: by this function's contract.
             let name = unsafe { pointer::text(*name, LONGEST_NAME, "object_names")? };
-            let object = object(&environment, &state, name);
+            let object = object(&state, name);
             let object = object.ok_or(Failure::invalid("there is no such object"))?;
             // There is room: names are as many at most.
             let _ = objects.push(object);
@@ -141,11 +141,11 @@ impl<'a> Scene<'a> {
     ) -> Fallible {
         const UNKNOWN: Failure = Failure::invalid("there is no such operator");
         let (environment, objects) = (&self.environment, self.objects.as_slice());
-        let mut operators = environment.operators().iter();
+        let mut operators = StickButton::OPERATORS.iter();
         let operator = operators.find(|o| o.name.eq_ignore_ascii_case(self.name));
         let operator = operator.ok_or(UNKNOWN)?;
         self.expect_types(operator.parameters)?;
-        let controllers = environment.controllers();
+        let controllers = StickButton::CONTROLLERS;
         let controller = controllers.get(usize::from(operator.controller.0));
         let controller = controller.ok_or(UNKNOWN)?;
         // SAFETY: by this function's contract.
@@ -176,7 +176,7 @@ impl<'a> Scene<'a> {
     unsafe fn holds(&self, holds: *mut i32) -> Fallible {
         // SAFETY: by this function's contract.
         let output = unsafe { Output::new(holds, "holds")? };
-        let mut predicates = self.environment.predicates().iter();
+        let mut predicates = StickButton::PREDICATES.iter();
         let predicate = predicates.find(|p| p.name.eq_ignore_ascii_case(self.name));
         let predicate = predicate.ok_or(Failure::invalid("there is no such predicate"))?;
         self.expect_types(predicate.arguments)?;
@@ -201,8 +201,8 @@ impl<'a> Scene<'a> {
 const LONGEST_NAME: usize = 32;
 
 /// The object with this name.
-fn object(environment: &StickButton, state: &State, name: &str) -> Option<ObjectId> {
-    let types = environment.types();
+fn object(state: &State, name: &str) -> Option<ObjectId> {
+    let types = StickButton::TYPES;
     let mut objects = state.objects().map(|(object, _)| object);
     objects.find(|object| {
         let mut text = String::<LONGEST_NAME>::new();

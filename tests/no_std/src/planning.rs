@@ -60,9 +60,8 @@ fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {
         room.memory,
     )?;
     let task = room.tasks.first().ok_or(Error::NoRegion)?;
-    let atoms = Atoms::new(environment, &task.initial)?;
-    let lifted = environment.operators();
-    ground_operators(lifted, &task.initial, &atoms, &mut room.operators)?;
+    let atoms = Atoms::new::<E>(&task.initial)?;
+    ground_operators(E::OPERATORS, &task.initial, &atoms, &mut room.operators)?;
     let goal = AbstractTask {
         operators: &room.operators,
         initial: atoms.abstract_state(environment, &task.initial),

@@ -86,15 +86,15 @@ pub struct Baseline {
 }
 
 impl Recording {
-    /// The recorded tasks.
-    pub fn tasks<E: Environment>(&self, environment: &E) -> Vec<RecordedTask> {
+    /// The recorded tasks of an environment.
+    pub fn tasks<E: Environment>(&self) -> Vec<RecordedTask> {
         let mut states = States::default();
         let task = |mut words: SplitWhitespace<'static>| {
             let words = &mut words;
             let (seed, split) = (next(words), words.next().expect("train or test"));
             let (index, goal) = (next(words), words.next().expect("a goal"));
-            let initial = states.read(environment, words);
-            let atom = |text| ground_atom(environment, &initial, text);
+            let initial = states.read::<E>(words);
+            let atom = |text| ground_atom::<E>(&initial, text);
             let goal = goal.split(';').map(atom).collect();
             RecordedTask {
                 seed,

@@ -53,10 +53,10 @@ pub(super) enum Start {
 
 impl Recording {
     /// The states that the records refer to.
-    pub(super) fn states<E: Environment>(&self, environment: &E) -> Vec<State> {
+    pub(super) fn states<E: Environment>(&self) -> Vec<State> {
         let mut states = States::default();
         lines(self.states)
-            .map(|mut words| states.read(environment, &mut words))
+            .map(|mut words| states.read::<E>(&mut words))
             .collect()
     }
 
@@ -163,7 +163,6 @@ impl States {
     /// Reads a state from the rest of a line.
     pub(super) fn read<E: Environment>(
         &mut self,
-        environment: &E,
         words: &mut impl Iterator<Item = &'static str>,
     ) -> State {
         match words.next().expect("the objects of a state") {
@@ -173,7 +172,7 @@ impl States {
         let words: Vec<_> = words.collect();
         self.values = repeated(&words, &self.values);
         let mut values = &*self.values;
-        let types = environment.types();
+        let types = E::TYPES;
         let mut state = State::new();
         for group in self.objects.split(',') {
             let (name, count) = group.split_once('*').expect("type*count");
@@ -190,25 +189,21 @@ impl States {
 }
 
 /// The object of this name.
-pub(super) fn object<E: Environment>(environment: &E, state: &State, name: &str) -> ObjectId {
-    let types = environment.types();
+pub(super) fn object<E: Environment>(state: &State, name: &str) -> ObjectId {
+    let types = E::TYPES;
     let is_named = |object: &ObjectId| state.name(types, *object).unwrap().to_string() == name;
     let found = state.objects().map(|(object, _)| object).find(is_named);
     found.unwrap_or_else(|| panic!("no object {name}"))
 }
 
 /// The atom with this text, such as `On(block1,block0)`.
-pub(super) fn ground_atom<E: Environment>(
-    environment: &E,
-    state: &State,
-    text: &str,
-) -> GroundAtom {
+pub(super) fn ground_atom<E: Environment>(state: &State, text: &str) -> GroundAtom {
     let (name, objects) = text.strip_suffix(')').unwrap().split_once('(').unwrap();
-    let mut predicates = environment.predicates().iter();
+    let mut predicates = E::PREDICATES.iter();
     let predicate = predicates.position(|p| p.name == name);
     let predicate = predicate.unwrap_or_else(|| panic!("no predicate {name}"));
     let names = objects.split(',').filter(|name| !name.is_empty());
-    let objects = names.map(|name| object(environment, state, name));
+    let objects = names.map(|name| object::<E>(state, name));
     GroundAtom {
         predicate: PredicateId(predicate as u8),
         objects: Arguments::new(objects).unwrap(),

@@ -38,7 +38,7 @@ pub fn replay<E: Environment>(
     environment: &E,
     action: impl Fn(&[f32]) -> E::Action,
 ) -> Counts {
-    let states = recording.states(environment);
+    let states = recording.states::<E>();
     let mut counts = Counts::default();
     replay_transitions(recording, environment, &states, action, &mut counts);
     replay_atoms(recording, environment, &states, &mut counts);
@@ -70,7 +70,7 @@ fn replay_transitions<E: Environment>(
             }
             StepOutcome::Failed(culprit) => {
                 counts.failures += 1;
-                let culprit = culprit.map(|name| object(environment, before, name));
+                let culprit = culprit.map(|name| object::<E>(before, name));
                 Err(Failure { culprit })
             }
         };
@@ -94,11 +94,11 @@ fn replay_atoms<E: Environment>(
 ) {
     for record in recording.abstractions() {
         let state = &states[record.state];
-        let all = Atoms::new(environment, state).unwrap();
+        let all = Atoms::new::<E>(state).unwrap();
         let abstract_state = all.abstract_state(environment, state);
         let mut distinct = 0;
         for (name, truth) in &record.atoms {
-            let atom = ground_atom(environment, state, name);
+            let atom = ground_atom::<E>(state, name);
             let what = || format!("{name} in state {}", record.state);
             assert_eq!(atom.holds(environment, state), *truth, "{}", what());
             if let Some(bit) = all.singleton(&atom) {
@@ -134,9 +134,9 @@ fn replay_trials<E: Environment>(
                 &chain[steps - 1]
             }
         };
-        let operator = find(environment, trial.operator);
+        let operator = find::<E>(trial.operator);
         let names = trial.objects.iter();
-        let objects: Vec<_> = names.map(|n| object(environment, start, n)).collect();
+        let objects: Vec<_> = names.map(|n| object::<E>(start, n)).collect();
         assert_applicable(environment, operator, &objects, start, line);
         let mut end = None;
         for (parameters, code) in &trial.cases {
@@ -159,8 +159,8 @@ fn replay_trials<E: Environment>(
     cases
 }
 
-fn find<E: Environment>(environment: &E, name: &str) -> &'static Operator<'static> {
-    let mut operators = environment.operators().iter();
+fn find<E: Environment>(name: &str) -> &'static Operator<'static> {
+    let mut operators = E::OPERATORS.iter();
     let operator = operators.find(|operator| operator.name == name);
     operator.unwrap_or_else(|| panic!("no operator {name}"))
 }
@@ -192,7 +192,7 @@ fn assert_applicable<E: Environment>(
 
 /// Goals hold only at the end.
 fn replay_tasks<E: Environment>(recording: &Recording, environment: &E, counts: &mut Counts) {
-    for recorded in recording.tasks(environment) {
+    for recorded in recording.tasks::<E>() {
         let task = recorded.task;
         assert!(!task.goal.is_empty() && !task.is_solved(environment, &task.initial));
         counts.tasks += 1;

@@ -64,7 +64,7 @@ impl Ideal<'_> {
 }
 
 fn controller(operator: &GroundOperator) -> Option<ControllerId> {
-    let operators = ENVIRONMENT.operators();
+    let operators = StickButton::OPERATORS;
     let operator = operators.get(usize::from(operator.operator.0))?;
     Some(operator.controller)
 }

@@ -1,6 +1,5 @@
 //! The region that the thesis learned.
 
-use crate::pick::ENVIRONMENT;
 use critreg::Error;
 use critreg::env::stick_button::{PICK_STICK, StickButton};
 use critreg::plan::{Draw, Drawn, Sampler, Simulated};
@@ -14,7 +13,7 @@ pub struct LowerHalf<'a>(pub Simulated<'a, StickButton>);
 impl<'a> Sampler<Simulated<'a, StickButton>> for LowerHalf<'a> {
     fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
         let drawn = self.0.sample(draw, rng)?;
-        let operators = ENVIRONMENT.operators();
+        let operators = StickButton::OPERATORS;
         let operator = &operators[usize::from(draw.operator.operator.0)];
         let Drawn::Parameters(mut drawn) = drawn else {
             return Ok(drawn);

@@ -85,10 +85,9 @@ impl<'e, E: Environment> Grounding<'e, E> {
     /// # Errors
     /// [`Error::CapacityExceeded`] with too many objects.
     pub fn new(environment: &'e E, task: &Task) -> Result<Self, Error> {
-        let atoms = Atoms::new(environment, &task.initial)?;
+        let atoms = Atoms::new::<E>(&task.initial)?;
         let mut operators = heapless::Vec::new();
-        let lifted = environment.operators();
-        ground_operators(lifted, &task.initial, &atoms, &mut operators)?;
+        ground_operators(E::OPERATORS, &task.initial, &atoms, &mut operators)?;
         Ok(Grounding {
             environment,
             operators,

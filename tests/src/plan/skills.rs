@@ -21,11 +21,11 @@ pub struct SkillRoom {
 
 impl SkillRoom {
     /// Room for the skills of an environment.
-    pub fn new(environment: &impl Describe) -> Self {
+    pub fn new<E: Describe>(environment: &E) -> Self {
         let count = environment.descriptions().len();
         SkillRoom {
             skills: (0..count).map(|_| None).collect(),
-            changes: vec![Changes::default(); environment.controllers().len()],
+            changes: vec![Changes::default(); E::CONTROLLERS.len()],
         }
     }
 

@@ -107,7 +107,7 @@ fn recorded<E: Describe>(
     task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
     seeds: u64,
 ) {
-    let tests = recording.tasks(environment).into_iter();
+    let tests = recording.tasks::<E>().into_iter();
     let tests = tests.filter(|t| t.split == "test" && t.index < TASKS);
     let tests: Vec<Task> = tests.map(|t| t.task).collect();
     let baseline = recording.baseline();
@@ -154,10 +154,10 @@ fn evaluate<E: Describe>(
             (&training, &mut training_room),
         );
         let learned = learned.expect("learning does not fail");
-        print_budgets(environment, &skills, &learned);
+        print_budgets::<E>(&skills, &learned);
         for (index, learned) in learned.iter().enumerate() {
             let judged = judge(environment, &mut skills, index, tests, &mut training_room);
-            print_skill(environment, &skills, index, learned, &judged);
+            print_skill::<E>(&skills, index, learned, &judged);
         }
         for (index, task) in (1..).zip(tests) {
             let problem = (environment, task);
@@ -190,8 +190,8 @@ pub fn train<E: Describe>(
 }
 
 /// Prints what it took to learn all skills of each controller.
-fn print_budgets<E: Describe>(environment: &E, skills: &Skills<'_>, learned: &[Learned]) {
-    for (id, controller) in (0..).map(ControllerId).zip(environment.controllers()) {
+fn print_budgets<E: Environment>(skills: &Skills<'_>, learned: &[Learned]) {
+    for (id, controller) in (0..).map(ControllerId).zip(E::CONTROLLERS) {
         let pairs = skills.iter().zip(learned);
         let own: Vec<&Learned> = pairs
             .filter(|(skill, _)| skill.description().own == id)
@@ -210,8 +210,7 @@ fn print_budgets<E: Describe>(environment: &E, skills: &Skills<'_>, learned: &[L
 }
 
 /// Prints a line about a skill, and its region.
-fn print_skill<E: Describe>(
-    environment: &E,
+fn print_skill<E: Environment>(
     skills: &Skills<'_>,
     index: usize,
     learned: &Learned,
@@ -220,7 +219,7 @@ fn print_skill<E: Describe>(
     let skill = skills.get(index).expect("it was learned");
     println!(
         "skill: {}, tasks {}, instances {}, calls {}, {judged}",
-        title(environment, skill),
+        title::<E>(skill),
         learned.tasks,
         learned.instances,
         learned.calls,
@@ -231,12 +230,8 @@ fn print_skill<E: Describe>(
 }
 
 /// The controllers of a skill.
-fn title<E: Environment>(environment: &E, skill: &Skill) -> String {
-    let name = |id: ControllerId| {
-        environment.controllers()[usize::from(id.0)]
-            .name
-            .to_string()
-    };
+fn title<E: Environment>(skill: &Skill) -> String {
+    let name = |id: ControllerId| E::CONTROLLERS[usize::from(id.0)].name.to_string();
     let description = skill.description();
     let later = description.later.map(name);
     let later = later.map_or(String::new(), |later| format!(" before {later}"));

@@ -8,14 +8,14 @@ use crate::plan::lower_half::LowerHalf;
 use crate::plan::record;
 use crate::plan::skills::{self, SkillRoom, TrainingRoom};
 use crate::room::Algorithm1Room;
-use critreg::env::stick_button::{PICK_STICK, ROBOT, STICK};
+use critreg::Error;
+use critreg::env::stick_button::{PICK_STICK, ROBOT, STICK, StickButton};
 use critreg::learn::{Algorithm1, Outcome, Problem, learn_region};
 use critreg::plan::Unguided;
 use critreg::random::generator;
 use critreg::region::Region;
 use critreg::skill::{Describe, Skills, Training};
-use critreg::task::{State, Task};
-use critreg::{Error, task};
+use critreg::task::{ControllerId, Environment, State, Task, try_operator};
 use rand_pcg::Pcg64;
 
 /// Test tasks of each seed.
@@ -129,9 +129,9 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
     let mut learner = Algorithm1::new(skill.domain(), config, capacity, room.lend())?;
     let region = learn_region(&mut learner, &problem, |_, query| {
         let state = &states[query.instance];
-        let operator = &task::Environment::operators(&ENVIRONMENT)[1];
+        let operator = &StickButton::OPERATORS[1];
         let mu = query.theta[0] as f32;
-        let tried = task::try_operator(&ENVIRONMENT, operator, &[ROBOT, STICK], &[mu], state);
+        let tried = try_operator(&ENVIRONMENT, operator, &[ROBOT, STICK], &[mu], state);
         Ok::<_, Error>(Outcome::from_feasible(tried.is_feasible()))
     });
     region.cloned()
@@ -186,8 +186,7 @@ fn version_space(seeds: u64) {
         row.print_payback(original);
     }
     for (description, (calls, regions)) in descriptions.iter().zip(calls) {
-        let controllers = task::Environment::controllers(&ENVIRONMENT);
-        let name = |id: task::ControllerId| controllers[usize::from(id.0)].name;
+        let name = |id: ControllerId| StickButton::CONTROLLERS[usize::from(id.0)].name;
         let later = description
             .later
             .map_or(String::new(), |id| format!(" then {}", name(id)));

@@ -2,6 +2,7 @@
 //! header declares and nothing else, and can be used from several files.
 
 use crate::support::{BOTH, Language, compile, compiler, library_directory, root, run, scratch};
+use critreg::env::stick_button::StickButton;
 use critreg::plan::{Conclusion, Config, Planner, Unguided};
 use critreg::random::generator;
 use critreg::task::Environment;
@@ -133,7 +134,7 @@ fn planned_by_the_core(seed: u64) -> String {
         let name = ENVIRONMENT.operator(ground).unwrap().name;
         write!(line, " ({name}").unwrap();
         for object in ground.objects.as_slice() {
-            let name = task.initial.name(ENVIRONMENT.types(), *object).unwrap();
+            let name = task.initial.name(StickButton::TYPES, *object).unwrap();
             write!(line, " {name}").unwrap();
         }
         line.push(')');

@@ -30,7 +30,7 @@ fn every_record() {
 
 #[test]
 fn recorded_tasks_could_be_generated() {
-    for recorded in BLOCKS.tasks(&Blocks) {
+    for recorded in BLOCKS.tasks::<Blocks>() {
         let count = if recorded.split == "train" {
             3..=4
         } else {
@@ -97,8 +97,8 @@ fn impossible_numbers_of_blocks_are_refused() {
 
 #[test]
 fn tables_are_in_the_order_of_names() {
-    let predicates = Blocks.predicates().iter().map(|p| p.name);
-    let operators = Blocks.operators().iter().map(|o| o.name);
+    let predicates = Blocks::PREDICATES.iter().map(|p| p.name);
+    let operators = Blocks::OPERATORS.iter().map(|o| o.name);
     assert!(predicates.is_sorted() && operators.is_sorted());
 }
 

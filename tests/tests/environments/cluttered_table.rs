@@ -54,12 +54,12 @@ fn every_record_of_cluttered_table_place() {
 
 #[test]
 fn recorded_tasks_could_be_generated() {
-    for recorded in CLUTTERED_TABLE.tasks(&ClutteredTable) {
+    for recorded in CLUTTERED_TABLE.tasks::<ClutteredTable>() {
         let count = if recorded.split == "train" { 5 } else { 10 };
         check_clutter(&recorded.task, count);
     }
     let generated = both_tasks();
-    for recorded in CLUTTERED_TABLE_PLACE.tasks(&ClutteredTablePlace) {
+    for recorded in CLUTTERED_TABLE_PLACE.tasks::<ClutteredTablePlace>() {
         assert!(generated.contains(&recorded.task));
     }
 }
@@ -130,25 +130,25 @@ fn both_tasks() -> [Task; 2] {
 fn state(cans: &[[f64; 5]]) -> State {
     let mut state = State::new();
     for can in cans {
-        state.add(ClutteredTable.types(), CAN_TYPE, can).unwrap();
+        state.add(ClutteredTable::TYPES, CAN_TYPE, can).unwrap();
     }
     state
 }
 
 #[test]
 fn tables_are_in_the_order_of_names() {
-    fn check<E: Environment>(environment: &E) {
-        let predicates = environment.predicates().iter().map(|p| p.name);
-        let operators = environment.operators().iter().map(|o| o.name);
+    fn check<E: Environment>() {
+        let predicates = E::PREDICATES.iter().map(|p| p.name);
+        let operators = E::OPERATORS.iter().map(|o| o.name);
         assert!(predicates.is_sorted() && operators.is_sorted());
     }
-    check(&ClutteredTable);
-    check(&ClutteredTablePlace);
+    check::<ClutteredTable>();
+    check::<ClutteredTablePlace>();
 }
 
 #[test]
 fn a_sampled_grasp_starts_anywhere_and_ends_at_the_can() {
-    let [dump, grasp] = ClutteredTable.operators() else {
+    let [dump, grasp] = ClutteredTable::OPERATORS else {
         panic!()
     };
     assert_eq!([dump.name, grasp.name], ["Dump", "Grasp"]);
@@ -193,7 +193,7 @@ fn sampled_parameters_solve_every_task_of_cluttered_table_place() {
         let step = |state: &State, operator: u8, can| {
             let sampled =
                 environment.sample(OperatorId(operator), state, &[can], &mut generator(0));
-            let operator = &environment.operators()[usize::from(operator)];
+            let operator = &ClutteredTablePlace::OPERATORS[usize::from(operator)];
             let outcome = try_operator(&environment, operator, &[can], &sampled, state);
             (sampled, outcome)
         };

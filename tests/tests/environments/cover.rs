@@ -63,20 +63,20 @@ fn regional_bumpy_cover_is_as_recorded() {
 
 #[test]
 fn tables_are_in_the_order_of_names() {
-    fn check<E: Environment>(environment: &E) {
-        let predicates = environment.predicates().iter().map(|p| p.name);
-        let operators = environment.operators().iter().map(|o| o.name);
-        let controllers = environment.controllers().iter().map(|c| c.name);
+    fn check<E: Environment>() {
+        let predicates = E::PREDICATES.iter().map(|p| p.name);
+        let operators = E::OPERATORS.iter().map(|o| o.name);
+        let controllers = E::CONTROLLERS.iter().map(|c| c.name);
         assert!(predicates.is_sorted() && operators.is_sorted() && controllers.is_sorted());
-        for operator in environment.operators() {
-            let controller = &environment.controllers()[usize::from(operator.controller.0)];
+        for operator in E::OPERATORS {
+            let controller = &E::CONTROLLERS[usize::from(operator.controller.0)];
             assert_eq!(controller.name, operator.name);
             assert_eq!(controller.arguments, operator.parameters);
         }
     }
-    check(&Cover);
-    check(&CoverRegrasp);
-    check(&RegionalBumpyCover);
+    check::<Cover>();
+    check::<CoverRegrasp>();
+    check::<RegionalBumpyCover>();
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn what_is_no_click_or_no_state_of_the_environment() {
     let before = state.clone();
     assert_eq!(Cover.simulate(&mut state, f32::NAN), Ok(()));
     assert_eq!(state, before);
-    let [pick, _] = Cover.operators() else {
+    let [pick, _] = Cover::OPERATORS else {
         panic!()
     };
     let outcome = try_operator(&Cover, pick, &[BLOCKS[0]], &[], &state);
@@ -113,7 +113,7 @@ fn series<E: Environment>(
     draw: impl Fn(usize, &mut Generator) -> Task,
     check: impl Fn(&State),
 ) -> Vec<Task> {
-    let recorded = recording.tasks(environment);
+    let recorded = recording.tasks::<E>();
     for task in &recorded {
         check(&task.task.initial);
         assert_eq!(task.task.goal, recorded[task.index % 3].task.goal);
@@ -232,7 +232,7 @@ fn sample<E: Environment>(
     objects: &[ObjectId],
     rng: &mut Generator,
 ) -> (&'static Operator<'static>, Parameters) {
-    let operators = environment.operators();
+    let operators = E::OPERATORS;
     let place = operators.iter().position(|o| o.name == name).unwrap();
     let id = OperatorId(place as u8);
     (

@@ -47,14 +47,14 @@ fn place_gap(world: &World, pitch: f64, [x, y]: [f32; 2]) -> f64 {
 }
 
 fn pick(state: &State, theta: [f32; 2]) -> Trial {
-    let [operator, _] = Shelf.operators() else {
+    let [operator, _] = Shelf::OPERATORS else {
         panic!()
     };
     try_operator(&Shelf, operator, &[ROBOT, BOX], &theta, state)
 }
 
 fn place(state: &State, theta: [f32; 2]) -> Trial {
-    let [_, operator] = Shelf.operators() else {
+    let [_, operator] = Shelf::OPERATORS else {
         panic!()
     };
     try_operator(&Shelf, operator, &[ROBOT, BOX, SHELF], &theta, state)
@@ -272,7 +272,7 @@ fn what_holds_before_between_and_after() {
     let holds = |state: &State| {
         let all = [HAND_EMPTY, HOLDING, IN_SHELF, ON_TABLE];
         all.map(|PredicateId(id)| {
-            let predicate = &Shelf.predicates()[usize::from(id)];
+            let predicate = &Shelf::PREDICATES[usize::from(id)];
             let of_type = |kind: &critreg::task::TypeId| state.of_type(*kind).next().unwrap();
             let objects: Vec<_> = predicate.arguments.iter().map(of_type).collect();
             (predicate.classifier)(&Shelf, state, &objects)

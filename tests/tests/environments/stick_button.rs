@@ -46,13 +46,13 @@ fn every_predicate() {
         let environment = StickButton {
             angles: record.angles,
         };
-        let all = Atoms::new(&environment, &record.state).unwrap();
+        let all = Atoms::new::<StickButton>(&record.state).unwrap();
         let abstract_state = all.abstract_state(&environment, &record.state);
         let members: Vec<_> = all.members(abstract_state).collect();
         // Recorded in the order of the names, which must be ours too.
         assert_eq!(all.as_slice().len(), record.atoms.len());
         for (atom, (name, truth)) in all.as_slice().iter().zip(&record.atoms) {
-            assert_eq!(atom_name(&environment, &record.state, atom), *name);
+            assert_eq!(atom_name(&record.state, atom), *name);
             assert_eq!(atom.holds(&environment, &record.state), *truth, "{name}");
             assert_eq!(members.contains(&atom), *truth, "{name}");
             atoms += 1;
@@ -63,15 +63,10 @@ fn every_predicate() {
     assert_eq!((states, atoms), (250, 3075));
 }
 
-fn atom_name(environment: &StickButton, state: &State, atom: &GroundAtom) -> String {
-    let name = |object: &ObjectId| {
-        state
-            .name(environment.types(), *object)
-            .unwrap()
-            .to_string()
-    };
+fn atom_name(state: &State, atom: &GroundAtom) -> String {
+    let name = |object: &ObjectId| state.name(StickButton::TYPES, *object).unwrap().to_string();
     let objects: Vec<_> = atom.objects.as_slice().iter().map(name).collect();
-    let predicate = &environment.predicates()[usize::from(atom.predicate.0)];
+    let predicate = &StickButton::PREDICATES[usize::from(atom.predicate.0)];
     format!("{}({})", predicate.name, objects.join(","))
 }
 
@@ -104,7 +99,7 @@ fn every_pick_and_press() {
         let environment = StickButton {
             angles: record.angles,
         };
-        let operator = find(&environment, "PickStickFromNothing");
+        let operator = find("PickStickFromNothing");
         let recorded = record.pick.iter().zip(&record.pick_actions);
         assert_eq!((record.pick.len(), record.pick_actions.len()), (201, 201));
         for (i, (feasible, actions)) in recorded.enumerate() {
@@ -136,7 +131,7 @@ fn every_pick_and_press() {
 }
 
 fn can_press(environment: &StickButton, state: &State, button: ObjectId) -> bool {
-    let controller = &environment.controllers()[usize::from(STICK_PRESS_BUTTON.0)];
+    let controller = &StickButton::CONTROLLERS[usize::from(STICK_PRESS_BUTTON.0)];
     let run = rollout(environment, controller, &[ROBOT, STICK, button], &[], state);
     let pressed = state_holds_pressed(environment, &run.state, button);
     assert_eq!(pressed, run.ending == Ending::Terminal);
@@ -144,13 +139,12 @@ fn can_press(environment: &StickButton, state: &State, button: ObjectId) -> bool
 }
 
 fn state_holds_pressed(environment: &StickButton, state: &State, button: ObjectId) -> bool {
-    let predicate = &environment.predicates()[usize::from(PRESSED.0)];
+    let predicate = &StickButton::PREDICATES[usize::from(PRESSED.0)];
     (predicate.classifier)(environment, state, &[button])
 }
 
-fn find(environment: &StickButton, name: &str) -> &'static Operator<'static> {
-    environment
-        .operators()
+fn find(name: &str) -> &'static Operator<'static> {
+    StickButton::OPERATORS
         .iter()
         .find(|o| o.name == name)
         .unwrap()
@@ -192,9 +186,8 @@ fn generated_tasks_are_as_recorded_ones() {
 
 #[test]
 fn tables_are_in_the_order_of_names() {
-    let environment = StickButton::default();
-    let predicates = environment.predicates().iter().map(|p| p.name);
-    let operators = environment.operators().iter().map(|o| o.name);
+    let predicates = StickButton::PREDICATES.iter().map(|p| p.name);
+    let operators = StickButton::OPERATORS.iter().map(|o| o.name);
     assert!(predicates.is_sorted() && operators.is_sorted());
 }
 
@@ -202,9 +195,9 @@ fn tables_are_in_the_order_of_names() {
 fn ground_operators_of_a_task() {
     let environment = StickButton::default();
     let task = environment.task(2..=2, &mut generator(0)).unwrap();
-    let atoms = Atoms::new(&environment, &task.initial).unwrap();
+    let atoms = Atoms::new::<StickButton>(&task.initial).unwrap();
     let mut ground: heapless::Vec<GroundOperator, 17> = heapless::Vec::new();
-    let operators = environment.operators();
+    let operators = StickButton::OPERATORS;
     ground_operators(operators, &task.initial, &atoms, &mut ground).unwrap();
     let names: Vec<_> = ground
         .iter()
@@ -212,7 +205,7 @@ fn ground_operators_of_a_task() {
             let objects = g.objects.as_slice().iter();
             let name = |o| {
                 task.initial
-                    .name(environment.types(), o)
+                    .name(StickButton::TYPES, o)
                     .unwrap()
                     .to_string()
             };

@@ -57,8 +57,8 @@ fn knowing<'m, E: Describe>(
 }
 
 /// Tasks of a recording.
-fn recorded<E: Environment>(recording: &Recording, environment: &E, split: &str) -> Vec<Task> {
-    let all = recording.tasks(environment).into_iter();
+fn recorded<E: Environment>(recording: &Recording, split: &str) -> Vec<Task> {
+    let all = recording.tasks::<E>().into_iter();
     let all = all.filter(|recorded| recorded.split == split);
     all.map(|recorded| recorded.task).collect()
 }
@@ -149,7 +149,7 @@ fn judge_grasps(
     expected: impl Fn(usize, bool) -> bool,
 ) -> [[u32; 2]; 2] {
     let mut counts = [[0; 2]; 2];
-    for task in recorded(&CLUTTERED_TABLE, &ClutteredTable, "test")
+    for task in recorded::<ClutteredTable>(&CLUTTERED_TABLE, "test")
         .iter()
         .take(40)
     {
@@ -176,7 +176,7 @@ fn judge_grasps(
 }
 
 fn training_tasks() -> Vec<Task> {
-    recorded(&CLUTTERED_TABLE, &ClutteredTable, "train")
+    recorded::<ClutteredTable>(&CLUTTERED_TABLE, "train")
 }
 
 #[test]
@@ -224,7 +224,7 @@ fn what_was_hardly_seen_may_change_anything() {
 #[test]
 fn what_is_placed_anywhere_is_not_expected_anywhere() {
     let mut skill_room = SkillRoom::new(&ClutteredTablePlace);
-    let tasks = recorded(&CLUTTERED_TABLE_PLACE, &ClutteredTablePlace, "train");
+    let tasks = recorded::<ClutteredTablePlace>(&CLUTTERED_TABLE_PLACE, "train");
     // The cans of all tasks stand closer, but where they are placed nobody knows.
     let far = (0, "min(dist(can, other_can)) >= 2");
     let skills = knowing(&mut skill_room, &ClutteredTablePlace, &tasks, far);
@@ -244,7 +244,7 @@ fn what_is_placed_anywhere_is_not_expected_anywhere() {
 #[test]
 fn what_is_always_the_same_afterwards_is_told_again() {
     let mut skill_room = SkillRoom::new(&Cover);
-    let tasks = recorded(&COVER, &Cover, "train");
+    let tasks = recorded::<Cover>(&COVER, "train");
     // Only what is held is placed. Where it is held varies, where it is not is one number.
     let held = (1, "block.grasp >= -0.5");
     let skills = knowing(&mut skill_room, &Cover, &tasks, held);
@@ -316,7 +316,7 @@ fn centred(ground: &GroundOperator, state: &State) -> f64 {
 #[test]
 fn a_place_counts_until_its_block_is_picked_again() {
     let mut skill_room = SkillRoom::new(&Cover);
-    let tasks = recorded(&COVER, &Cover, "train");
+    let tasks = recorded::<Cover>(&COVER, "train");
     let skills = knowing(&mut skill_room, &Cover, &tasks, ELSEWHERE);
     let (mut counts, mut rng) = ([0; 2], generator(1));
     for task in &tasks[..20] {
@@ -346,7 +346,7 @@ fn a_place_counts_until_its_block_is_picked_again() {
 #[test]
 fn the_same_target_again_with_and_without_the_block_in_between() {
     let mut skill_room = SkillRoom::new(&Cover);
-    let tasks = recorded(&COVER, &Cover, "train");
+    let tasks = recorded::<Cover>(&COVER, "train");
     let skills = knowing(&mut skill_room, &Cover, &tasks, ELSEWHERE);
     let judged = |steps: &[&[ObjectId]]| judged(&tasks[0], &skills, steps);
     let ([b0, b1], [t0, t1]) = (BLOCKS, TARGETS);

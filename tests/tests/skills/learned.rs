@@ -506,7 +506,7 @@ fn no_parameters_work_means_none_does() {
     let task = with_button_at(5.97);
     assert!(task.goal.iter().all(|atom| atom.predicate == PRESSED));
     assert_eq!(task.initial.of_type(BUTTON_TYPE).count(), 1);
-    let operators = ENVIRONMENT.operators();
+    let operators = StickButton::OPERATORS;
     let (pick, press) = (&operators[1], &operators[7]);
     for i in 0..=200 {
         let mu = i as f32 / 200.0;

@@ -8,7 +8,7 @@ use critreg_tests::plan::skills::{SkillRoom, TrainingRoom};
 use critreg_tests::report;
 
 fn wins(lottery: &Lottery, state: &State, seed: f32) -> bool {
-    let operator = &lottery.operators()[0];
+    let operator = &Lottery::OPERATORS[0];
     let objects: Vec<_> = state.objects().map(|(object, _)| object).collect();
     try_operator(lottery, operator, &objects, &[seed], state).is_feasible()
 }

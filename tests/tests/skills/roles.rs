@@ -14,27 +14,14 @@ struct Still;
 impl Environment for Still {
     type Action = ();
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &[Predicate {
-            name: "Odd",
-            arguments: &[BLOCK],
-            classifier: |_, state, objects| {
-                state.get(objects[0]).is_some_and(|[w, _]| w % 2.0 == 1.0)
-            },
-        }]
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        &[]
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &[]
-    }
+    const TYPES: &'static [ObjectType] = &TYPES;
+    const PREDICATES: &'static [Predicate<Self>] = &[Predicate {
+        name: "Odd",
+        arguments: &[BLOCK],
+        classifier: |_, state, objects| state.get(objects[0]).is_some_and(|[w, _]| w % 2.0 == 1.0),
+    }];
+    const CONTROLLERS: &'static [Controller<Self>] = &[];
+    const OPERATORS: &'static [Operator<'static>] = &[];
 
     fn simulate(&self, _: &mut State, (): ()) -> Result<(), Failure> {
         Ok(())

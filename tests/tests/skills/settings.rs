@@ -250,33 +250,21 @@ struct Described(&'static [Description]);
 impl Environment for Described {
     type Action = ();
 
-    fn types(&self) -> &'static [ObjectType] {
-        &[ObjectType {
-            name: "hand",
-            attributes: &[],
-            naming: Naming::Single("hand"),
-        }]
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &[]
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        const CONTROLLER: Controller<Described> = Controller {
-            name: "Wave",
-            arguments: &[TypeId(0)],
-            parameters: &[[0.0, 1.0]; 2],
-            initiable: always,
-            policy: |_, _, _, _| (),
-            terminal: Terminal::FirstAction,
-        };
-        &[CONTROLLER]
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &[]
-    }
+    const TYPES: &'static [ObjectType] = &[ObjectType {
+        name: "hand",
+        attributes: &[],
+        naming: Naming::Single("hand"),
+    }];
+    const PREDICATES: &'static [Predicate<Self>] = &[];
+    const CONTROLLERS: &'static [Controller<Self>] = &[Controller {
+        name: "Wave",
+        arguments: &[TypeId(0)],
+        parameters: &[[0.0, 1.0]; 2],
+        initiable: always,
+        policy: |_, _, _, _| (),
+        terminal: Terminal::FirstAction,
+    }];
+    const OPERATORS: &'static [Operator<'static>] = &[];
 
     fn simulate(&self, _: &mut State, (): ()) -> Result<(), Failure> {
         Ok(())

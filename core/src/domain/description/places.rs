@@ -1,7 +1,7 @@
 //! Statements that place things: shapes and points.
 
-use super::DomainParser;
-use crate::domain::expression::{TermError, intern, node_at};
+use super::parser::DomainParser;
+use crate::domain::node::{TermError, intern, node_at};
 use crate::domain::{Base, Dependence, Dimension, Domain, Member, Node, NodeId, Point, Shape};
 use crate::text::{Failed, Place, split_at_dot};
 

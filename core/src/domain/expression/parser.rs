@@ -1,9 +1,56 @@
 //! Reads expressions.
 
-use super::{Coordinate, MAX_DEPTH, Metric, Node, NodeId, intern, named, product_dimension};
-use crate::domain::{Dimension, Domain, Extreme, Relation};
+use super::properties::product_dimension;
+use crate::domain::node::{intern, named};
+use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, NodeId, Relation};
+use crate::error::Error;
 use crate::text::{Failed, Lexer, Place, Token, split_at_last_dot};
 use heapless::VecView;
+
+/// Deepest nesting of an expression, so that walking one has bounded stack.
+pub const MAX_DEPTH: u8 = 12;
+
+impl Domain<'_> {
+    /// Reads an expression from a text: sums, differences and products of
+    /// numbers, constants, attributes, parameters, coordinates of points,
+    /// `dist(a, b)`, `dist_x`, `dist_y`, `dist_z`, `angle(a, b)`, `angle(a, b, c)` and `area(o)`, and
+    /// `min(...)` or `max(...)` of one of these that is about the members of a group.
+    ///
+    /// # Errors
+    /// [`Error::Syntax`] with line and column, also for unknown names and for
+    /// quantities of different dimension; [`Error::CapacityExceeded`].
+    pub fn parse_expression(
+        &self,
+        lexer: &mut Lexer<'_>,
+        nodes: &mut VecView<Node>,
+    ) -> Result<NodeId, Error> {
+        let read = self.read_expression(lexer, nodes);
+        lexer.outcome(read)
+    }
+
+    /// As [`Domain::parse_expression`]; the lexer notes errors.
+    pub(crate) fn read_expression(
+        &self,
+        lexer: &mut Lexer<'_>,
+        nodes: &mut VecView<Node>,
+    ) -> Result<NodeId, Failed> {
+        self.parser(nodes, None).expression(lexer)
+    }
+
+    /// A parser that lets an expression be about a member of the group `own` without
+    /// an extreme: of a point that each of its members has.
+    pub(in crate::domain) fn parser<'p>(
+        &'p self,
+        nodes: &'p mut VecView<Node>,
+        own: Option<u8>,
+    ) -> ExpressionParser<'p, 'p, 'p> {
+        ExpressionParser {
+            domain: self,
+            nodes,
+            own,
+        }
+    }
+}
 
 pub(in crate::domain) struct ExpressionParser<'d, 't, 'n> {
     pub(super) domain: &'d Domain<'t>,

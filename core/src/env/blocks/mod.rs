@@ -30,7 +30,7 @@
 //!
 //! let environment = Blocks;
 //! let start = environment.task(3..=4, &mut generator(1))?.initial;
-//! let [pick, put, ..] = environment.operators() else { unreachable!() };
+//! let [pick, put, ..] = Blocks::OPERATORS else { unreachable!() };
 //! // Nothing lies on the last block.
 //! let objects = [start.of_type(BLOCK_TYPE).last(), start.of_type(ROBOT_TYPE).last()];
 //! let objects = objects.map(Option::unwrap);
@@ -95,21 +95,10 @@ pub struct Blocks;
 impl Environment for Blocks {
     type Action = Action;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &predicates::PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        &controllers::CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &operators::OPERATORS
-    }
+    const TYPES: &'static [ObjectType] = &TYPES;
+    const PREDICATES: &'static [Predicate<Self>] = &predicates::PREDICATES;
+    const CONTROLLERS: &'static [Controller<Self>] = &controllers::CONTROLLERS;
+    const OPERATORS: &'static [Operator<'static>] = &operators::OPERATORS;
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         simulate::simulate(state, action)

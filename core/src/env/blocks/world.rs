@@ -35,7 +35,7 @@ impl<'a> World<'a> {
     /// # Errors
     /// [`Error::CapacityExceeded`] with more blocks than a state can hold.
     pub fn to_state(&self) -> Result<State, Error> {
-        let types = Blocks.types();
+        let types = Blocks::TYPES;
         let mut state = State::new();
         for block in self.blocks {
             state.add(types, BLOCK_TYPE, block)?;

@@ -37,7 +37,7 @@
 //!
 //! let environment = ClutteredTablePlace;
 //! let task = environment.task(&mut generator(3))?;
-//! let [grasp, _] = environment.operators() else { unreachable!() };
+//! let [grasp, _] = ClutteredTablePlace::OPERATORS else { unreachable!() };
 //! let [x, y, ..] = *task.initial.get::<5>(FIRST_CAN).unwrap();
 //! let approach = |start: [f32; 2]| {
 //!     let parameters = [start[0], start[1], x as f32, y as f32];
@@ -96,24 +96,11 @@ pub struct ClutteredTablePlace;
 impl Environment for ClutteredTable {
     type Action = Action;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        static PREDICATES: [Predicate<ClutteredTable>; 3] = predicates::predicates();
-        &PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        static CONTROLLERS: [Controller<ClutteredTable>; 2] =
-            [controllers::approach("Grasp"), controllers::dump()];
-        &CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        const { &[operators::DUMP, operators::GRASP] }
-    }
+    const TYPES: &'static [ObjectType] = &TYPES;
+    const PREDICATES: &'static [Predicate<Self>] = &predicates::predicates();
+    const CONTROLLERS: &'static [Controller<Self>] =
+        &[controllers::approach("Grasp"), controllers::dump()];
+    const OPERATORS: &'static [Operator<'static>] = &[operators::DUMP, operators::GRASP];
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         simulate::dump_or_grasp(state, action)
@@ -127,7 +114,7 @@ impl Environment for ClutteredTable {
         objects: &[ObjectId],
         rng: &mut G,
     ) -> Parameters {
-        sample::controller_of(self, operator)
+        sample::controller_of::<Self>(operator)
             .and_then(|controller| sample::from_anywhere(controller, state, objects, rng))
             .unwrap_or_default()
     }
@@ -136,26 +123,13 @@ impl Environment for ClutteredTable {
 impl Environment for ClutteredTablePlace {
     type Action = Action;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        static PREDICATES: [Predicate<ClutteredTablePlace>; 3] = predicates::predicates();
-        &PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        static CONTROLLERS: [Controller<ClutteredTablePlace>; 2] = [
-            controllers::approach("Grasp"),
-            controllers::approach("Place"),
-        ];
-        &CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        const { &[operators::GRASP, operators::PLACE] }
-    }
+    const TYPES: &'static [ObjectType] = &TYPES;
+    const PREDICATES: &'static [Predicate<Self>] = &predicates::predicates();
+    const CONTROLLERS: &'static [Controller<Self>] = &[
+        controllers::approach("Grasp"),
+        controllers::approach("Place"),
+    ];
+    const OPERATORS: &'static [Operator<'static>] = &[operators::GRASP, operators::PLACE];
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         simulate::place_or_grasp(state, action)
@@ -172,7 +146,7 @@ impl Environment for ClutteredTablePlace {
         objects: &[ObjectId],
         _rng: &mut G,
     ) -> Parameters {
-        sample::controller_of(self, operator)
+        sample::controller_of::<Self>(operator)
             .and_then(|controller| sample::from_the_front(controller, state, objects))
             .unwrap_or_default()
     }

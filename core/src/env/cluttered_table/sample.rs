@@ -17,10 +17,9 @@ const BEHIND: f64 = 1.1;
 
 /// The controller of an operator.
 pub(super) fn controller_of<E: Environment>(
-    environment: &E,
     OperatorId(operator): OperatorId,
 ) -> Option<ControllerId> {
-    let operators = environment.operators();
+    let operators = E::OPERATORS;
     Some(operators.get(usize::from(operator))?.controller)
 }
 

@@ -2,7 +2,7 @@
 
 use super::controllers::{controller, parameters, sample_pick};
 use super::world::{Block, Rules, Target, blocks, targets};
-use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES_WITH_BUMPS, predicates};
+use super::{Action, BLOCK_TYPE, Family, TARGET_TYPE, TYPES_WITH_BUMPS, predicates};
 use crate::random::uniform_in;
 use crate::real::Real;
 use crate::task::{
@@ -28,20 +28,10 @@ pub struct RegionalBumpyCover;
 impl RegionalBumpyCover {
     /// `Clear(target)`: no block covers the target.
     pub const CLEAR: PredicateId = PredicateId(0);
-    /// `Covers(block, target)`: the block lies over all of the target.
-    pub const COVERS: PredicateId = PredicateId(1);
-    /// `HandEmpty()`: no block is held.
-    pub const HAND_EMPTY: PredicateId = PredicateId(2);
-    /// `Holding(block)`: the block is held.
-    pub const HOLDING: PredicateId = PredicateId(3);
     /// `InBumpyRegion(block)`: the block lies in the bumpy region, and is not held.
     pub const IN_BUMPY_REGION: PredicateId = PredicateId(4);
     /// `InSmoothRegion(block)`: the block lies outside of it, and is not held.
     pub const IN_SMOOTH_REGION: PredicateId = PredicateId(5);
-    /// `IsBlock(block)`: always.
-    pub const IS_BLOCK: PredicateId = PredicateId(6);
-    /// `IsTarget(target)`: always.
-    pub const IS_TARGET: PredicateId = PredicateId(7);
 
     /// `PickFromBumpy(block; p)`: picks a block from the bumpy region by a click at
     /// `p`.
@@ -80,112 +70,100 @@ fn is_bumpy(state: &State, block: ObjectId) -> bool {
     bumpy.is_some_and(|bumpy| Real::abs(bumpy - 1.0) < 1e-3)
 }
 
-static PREDICATES: [Predicate<RegionalBumpyCover>; 8] = [
-    predicates::clear(),
-    predicates::covers(),
-    predicates::hand_empty(),
-    predicates::holding(),
-    Predicate {
-        name: "InBumpyRegion",
-        arguments: &[BLOCK_TYPE],
-        classifier: |_, state, objects| is_in_bumpy_region(state, objects) == Some(true),
-    },
-    Predicate {
-        name: "InSmoothRegion",
-        arguments: &[BLOCK_TYPE],
-        classifier: |_, state, objects| is_in_bumpy_region(state, objects) == Some(false),
-    },
-    predicates::is_block(),
-    predicates::is_target(),
-];
-
 /// Whether a block lies in the bumpy region; `None` if it is held.
 fn is_in_bumpy_region(state: &State, objects: &[ObjectId]) -> Option<bool> {
     let block = Block::read(state, *objects.first()?)?;
     (!block.is_held()).then_some(block.pose > BUMPY_REGION)
 }
 
-static CONTROLLERS: [Controller<RegionalBumpyCover>; 5] = [
-    controller("PickFromBumpy", &[BLOCK_TYPE]),
-    controller("PickFromSmooth", &[BLOCK_TYPE]),
-    controller("PickFromTarget", &[BLOCK_TYPE, TARGET_TYPE]),
-    controller("PlaceOnBumpy", &[BLOCK_TYPE]),
-    controller("PlaceOnTarget", &[BLOCK_TYPE, TARGET_TYPE]),
-];
-
-const IS_HELD: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::HOLDING, &[0]);
 const IS_SMOOTH: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::IN_SMOOTH_REGION, &[0]);
 const IS_ROUGH: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::IN_BUMPY_REGION, &[0]);
-const HAND_IS_EMPTY: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::HAND_EMPTY, &[]);
-const COVERS: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::COVERS, &[0, 1]);
 const IS_CLEAR: LiftedAtom<'static> = LiftedAtom::new(RegionalBumpyCover::CLEAR, &[1]);
 
-static OPERATORS: [Operator<'static>; 5] = [
-    Operator {
-        name: "PickFromBumpy",
-        parameters: &[BLOCK_TYPE],
-        preconditions: &[HAND_IS_EMPTY, IS_ROUGH],
-        add_effects: &[IS_HELD],
-        delete_effects: &[HAND_IS_EMPTY, IS_ROUGH],
-        controller: RegionalBumpyCover::PICK_FROM_BUMPY,
-        controller_arguments: &[0],
-    },
-    Operator {
-        name: "PickFromSmooth",
-        parameters: &[BLOCK_TYPE],
-        preconditions: &[HAND_IS_EMPTY, IS_SMOOTH],
-        add_effects: &[IS_HELD],
-        delete_effects: &[HAND_IS_EMPTY, IS_SMOOTH],
-        controller: RegionalBumpyCover::PICK_FROM_SMOOTH,
-        controller_arguments: &[0],
-    },
-    Operator {
-        name: "PickFromTarget",
-        parameters: &[BLOCK_TYPE, TARGET_TYPE],
-        preconditions: &[COVERS, HAND_IS_EMPTY, IS_SMOOTH],
-        add_effects: &[IS_HELD, IS_CLEAR],
-        delete_effects: &[COVERS, HAND_IS_EMPTY, IS_SMOOTH],
-        controller: RegionalBumpyCover::PICK_FROM_TARGET,
-        controller_arguments: &[0, 1],
-    },
-    Operator {
-        name: "PlaceOnBumpy",
-        parameters: &[BLOCK_TYPE],
-        preconditions: &[IS_HELD],
-        add_effects: &[HAND_IS_EMPTY, IS_ROUGH],
-        delete_effects: &[IS_HELD],
-        controller: RegionalBumpyCover::PLACE_ON_BUMPY,
-        controller_arguments: &[0],
-    },
-    Operator {
-        name: "PlaceOnTarget",
-        parameters: &[BLOCK_TYPE, TARGET_TYPE],
-        preconditions: &[IS_HELD, IS_CLEAR],
-        add_effects: &[HAND_IS_EMPTY, IS_SMOOTH, COVERS],
-        delete_effects: &[IS_HELD, IS_CLEAR],
-        controller: RegionalBumpyCover::PLACE_ON_TARGET,
-        controller_arguments: &[0, 1],
-    },
-];
+impl Family for RegionalBumpyCover {
+    const COVERS: PredicateId = PredicateId(1);
+    const HAND_EMPTY: PredicateId = PredicateId(2);
+    const HOLDING: PredicateId = PredicateId(3);
+    const IS_BLOCK: PredicateId = PredicateId(6);
+    const IS_TARGET: PredicateId = PredicateId(7);
+}
 
 impl Environment for RegionalBumpyCover {
     type Action = Action;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES_WITH_BUMPS
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        &CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &OPERATORS
-    }
+    const TYPES: &'static [ObjectType] = &TYPES_WITH_BUMPS;
+    const PREDICATES: &'static [Predicate<Self>] = &[
+        predicates::clear(),
+        predicates::covers(),
+        predicates::hand_empty(),
+        predicates::holding(),
+        Predicate {
+            name: "InBumpyRegion",
+            arguments: &[BLOCK_TYPE],
+            classifier: |_, state, objects| is_in_bumpy_region(state, objects) == Some(true),
+        },
+        Predicate {
+            name: "InSmoothRegion",
+            arguments: &[BLOCK_TYPE],
+            classifier: |_, state, objects| is_in_bumpy_region(state, objects) == Some(false),
+        },
+        predicates::is_block(),
+        predicates::is_target(),
+    ];
+    const CONTROLLERS: &'static [Controller<Self>] = &[
+        controller("PickFromBumpy", &[BLOCK_TYPE]),
+        controller("PickFromSmooth", &[BLOCK_TYPE]),
+        controller("PickFromTarget", &[BLOCK_TYPE, TARGET_TYPE]),
+        controller("PlaceOnBumpy", &[BLOCK_TYPE]),
+        controller("PlaceOnTarget", &[BLOCK_TYPE, TARGET_TYPE]),
+    ];
+    const OPERATORS: &'static [Operator<'static>] = &[
+        Operator {
+            name: "PickFromBumpy",
+            parameters: &[BLOCK_TYPE],
+            preconditions: &[Self::NOTHING_HELD, IS_ROUGH],
+            add_effects: &[Self::HELD],
+            delete_effects: &[Self::NOTHING_HELD, IS_ROUGH],
+            controller: Self::PICK_FROM_BUMPY,
+            controller_arguments: &[0],
+        },
+        Operator {
+            name: "PickFromSmooth",
+            parameters: &[BLOCK_TYPE],
+            preconditions: &[Self::NOTHING_HELD, IS_SMOOTH],
+            add_effects: &[Self::HELD],
+            delete_effects: &[Self::NOTHING_HELD, IS_SMOOTH],
+            controller: Self::PICK_FROM_SMOOTH,
+            controller_arguments: &[0],
+        },
+        Operator {
+            name: "PickFromTarget",
+            parameters: &[BLOCK_TYPE, TARGET_TYPE],
+            preconditions: &[Self::COVERED, Self::NOTHING_HELD, IS_SMOOTH],
+            add_effects: &[Self::HELD, IS_CLEAR],
+            delete_effects: &[Self::COVERED, Self::NOTHING_HELD, IS_SMOOTH],
+            controller: Self::PICK_FROM_TARGET,
+            controller_arguments: &[0, 1],
+        },
+        Operator {
+            name: "PlaceOnBumpy",
+            parameters: &[BLOCK_TYPE],
+            preconditions: &[Self::HELD],
+            add_effects: &[Self::NOTHING_HELD, IS_ROUGH],
+            delete_effects: &[Self::HELD],
+            controller: Self::PLACE_ON_BUMPY,
+            controller_arguments: &[0],
+        },
+        Operator {
+            name: "PlaceOnTarget",
+            parameters: &[BLOCK_TYPE, TARGET_TYPE],
+            preconditions: &[Self::HELD, IS_CLEAR],
+            add_effects: &[Self::NOTHING_HELD, IS_SMOOTH, Self::COVERED],
+            delete_effects: &[Self::HELD, IS_CLEAR],
+            controller: Self::PLACE_ON_TARGET,
+            controller_arguments: &[0, 1],
+        },
+    ];
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         RULES.click(state, f64::from(action))
@@ -201,17 +179,15 @@ impl Environment for RegionalBumpyCover {
         objects: &[ObjectId],
         rng: &mut G,
     ) -> Parameters {
-        let block = || Block::read(state, *objects.first()?);
-        let target = || Target::read(state, *objects.get(1)?);
-        let operator = OPERATORS.get(usize::from(operator.0));
-        parameters(operator.and_then(|operator| match operator.controller {
+        let draw = |controller, block: Block, target: Option<Target>| match controller {
             Self::PICK_FROM_BUMPY | Self::PICK_FROM_SMOOTH | Self::PICK_FROM_TARGET => {
-                Some(sample_pick(&block()?, rng))
+                Some(sample_pick(&block, rng))
             }
-            Self::PLACE_ON_BUMPY => Some(sample_in_bumpy_region(state, &block()?, rng)),
-            Self::PLACE_ON_TARGET => Some(target()?.pose + block()?.grasp),
+            Self::PLACE_ON_BUMPY => Some(sample_in_bumpy_region(state, &block, rng)),
+            Self::PLACE_ON_TARGET => Some(target?.pose + block.grasp),
             _ => None,
-        }))
+        };
+        parameters::<Self>(operator, state, objects, draw)
     }
 }
 

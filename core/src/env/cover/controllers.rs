@@ -1,10 +1,13 @@
-//! What operators, controllers and samplers of the family share.
+//! What controllers and samplers of the family share.
 
 use super::Action;
 use super::world::{Block, Target, around};
 use crate::random::uniform_in;
 use crate::real::Real;
-use crate::task::{Controller, Environment, Parameters, Terminal, TypeId, always};
+use crate::task::{
+    Controller, ControllerId, Environment, ObjectId, OperatorId, Parameters, State, Terminal,
+    TypeId, always,
+};
 use rand_core::Rng;
 
 /// Where one can click.
@@ -26,10 +29,24 @@ pub(super) const fn controller<E: Environment<Action = Action>>(
     }
 }
 
-/// A click that was drawn, as the parameter of a controller; no parameter without it.
-pub(super) fn parameters(click: Option<f64>) -> Parameters {
+/// The parameters of an operator: where `draw` clicks for its controller, its block and
+/// its target, kept within the parameter space. No parameters where it clicks nowhere.
+pub(super) fn parameters<E: Environment>(
+    OperatorId(operator): OperatorId,
+    state: &State,
+    objects: &[ObjectId],
+    draw: impl FnOnce(ControllerId, Block, Option<Target>) -> Option<f64>,
+) -> Parameters {
+    let click = || {
+        let controller = E::OPERATORS.get(usize::from(operator))?.controller;
+        let block = Block::read(state, *objects.first()?)?;
+        let target = objects
+            .get(1)
+            .and_then(|target| Target::read(state, *target));
+        draw(controller, block, target)
+    };
     let [low, high] = SPACE;
-    let click = click.map(|click| Real::clamp(click, low, high) as f32);
+    let click = click().map(|click| Real::clamp(click, low, high) as f32);
     click.into_iter().collect()
 }
 

@@ -59,7 +59,7 @@
 //!
 //! let environment = RegionalBumpyCover;
 //! let task = environment.task(0, &mut generator(7))?;
-//! let pick = environment.operators().iter().find(|o| o.name == "PickFromSmooth").unwrap();
+//! let pick = RegionalBumpyCover::OPERATORS.iter().find(|o| o.name == "PickFromSmooth").unwrap();
 //! let [_, block] = BLOCKS;
 //! let [_, _, _, pose, ..] = *task.initial.attributes(block).unwrap() else { panic!() };
 //! let try_at = |click| try_operator(&environment, pick, &[block], &[click], &task.initial);
@@ -70,6 +70,7 @@
 
 mod bumpy;
 mod controllers;
+mod family;
 mod plain;
 mod predicates;
 mod regrasp;
@@ -78,6 +79,7 @@ mod tasks;
 mod world;
 
 pub use bumpy::{BUMPY_REGION, RegionalBumpyCover};
+pub use family::Family;
 pub use plain::Cover;
 pub use regrasp::CoverRegrasp;
 pub use world::{Block, Target, blocks, targets};

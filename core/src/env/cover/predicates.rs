@@ -1,10 +1,10 @@
-//! The predicates that several of the environments have.
+//! The predicates that several of the environments have. What they mean stands where their
+//! places are told: in [`Family`](super::Family), and for `Clear` in the environments.
 
 use super::world::{Block, Target, blocks};
 use super::{BLOCK_TYPE, TARGET_TYPE};
 use crate::task::{ObjectId, Predicate, State};
 
-/// `Clear(target)`: no block covers the target.
 pub(super) const fn clear<E>() -> Predicate<E> {
     Predicate {
         name: "Clear",
@@ -13,7 +13,6 @@ pub(super) const fn clear<E>() -> Predicate<E> {
     }
 }
 
-/// `Covers(block, target)`: the block lies over all of the target.
 pub(super) const fn covers<E>() -> Predicate<E> {
     Predicate {
         name: "Covers",
@@ -22,7 +21,6 @@ pub(super) const fn covers<E>() -> Predicate<E> {
     }
 }
 
-/// `HandEmpty()`: no block is held.
 pub(super) const fn hand_empty<E>() -> Predicate<E> {
     Predicate {
         name: "HandEmpty",
@@ -31,7 +29,6 @@ pub(super) const fn hand_empty<E>() -> Predicate<E> {
     }
 }
 
-/// `Holding(block)`: the block is held.
 pub(super) const fn holding<E>() -> Predicate<E> {
     Predicate {
         name: "Holding",
@@ -40,7 +37,6 @@ pub(super) const fn holding<E>() -> Predicate<E> {
     }
 }
 
-/// `IsBlock(block)`: always.
 pub(super) const fn is_block<E>() -> Predicate<E> {
     Predicate {
         name: "IsBlock",
@@ -49,7 +45,6 @@ pub(super) const fn is_block<E>() -> Predicate<E> {
     }
 }
 
-/// `IsTarget(target)`: always.
 pub(super) const fn is_target<E>() -> Predicate<E> {
     Predicate {
         name: "IsTarget",

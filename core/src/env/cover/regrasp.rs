@@ -3,7 +3,7 @@
 
 use super::controllers::{controller, parameters, sample_pick, sample_place};
 use super::world::{Block, Rules, Target, targets};
-use super::{Action, BLOCK_TYPE, TARGET_TYPE, TYPES, predicates};
+use super::{Action, BLOCK_TYPE, Family, TARGET_TYPE, TYPES, predicates};
 use crate::task::{
     Controller, ControllerId, Environment, Failure, LiftedAtom, ObjectId, ObjectType, Operator,
     OperatorId, Parameters, Predicate, PredicateId, State,
@@ -20,16 +20,6 @@ pub struct CoverRegrasp;
 impl CoverRegrasp {
     /// `Clear(target)`: no block covers the target.
     pub const CLEAR: PredicateId = PredicateId(0);
-    /// `Covers(block, target)`: the block lies over all of the target.
-    pub const COVERS: PredicateId = PredicateId(1);
-    /// `HandEmpty()`: no block is held.
-    pub const HAND_EMPTY: PredicateId = PredicateId(2);
-    /// `Holding(block)`: the block is held.
-    pub const HOLDING: PredicateId = PredicateId(3);
-    /// `IsBlock(block)`: always.
-    pub const IS_BLOCK: PredicateId = PredicateId(4);
-    /// `IsTarget(target)`: always.
-    pub const IS_TARGET: PredicateId = PredicateId(5);
 
     /// `Pick(block; p)`: picks the block by a click at `p`.
     pub const PICK: ControllerId = ControllerId(0);
@@ -55,82 +45,54 @@ static RULES: Rules = Rules {
     supports: |_, _| true,
 };
 
-static PREDICATES: [Predicate<CoverRegrasp>; 6] = [
-    predicates::clear(),
-    predicates::covers(),
-    predicates::hand_empty(),
-    predicates::holding(),
-    predicates::is_block(),
-    predicates::is_target(),
-];
-
-static CONTROLLERS: [Controller<CoverRegrasp>; 3] = [
-    controller("Pick", &[BLOCK_TYPE]),
-    controller("Place", &[BLOCK_TYPE, TARGET_TYPE]),
-    controller("PlaceOnTable", &[BLOCK_TYPE]),
-];
-
-const IS_BLOCK: LiftedAtom<'static> = LiftedAtom::new(CoverRegrasp::IS_BLOCK, &[0]);
-const IS_HELD: LiftedAtom<'static> = LiftedAtom::new(CoverRegrasp::HOLDING, &[0]);
-const HAND_IS_EMPTY: LiftedAtom<'static> = LiftedAtom::new(CoverRegrasp::HAND_EMPTY, &[]);
 const IS_CLEAR: LiftedAtom<'static> = LiftedAtom::new(CoverRegrasp::CLEAR, &[1]);
 
-static OPERATORS: [Operator<'static>; 3] = [
-    Operator {
-        name: "Pick",
-        parameters: &[BLOCK_TYPE],
-        preconditions: &[IS_BLOCK, HAND_IS_EMPTY],
-        add_effects: &[IS_HELD],
-        delete_effects: &[HAND_IS_EMPTY],
-        controller: CoverRegrasp::PICK,
-        controller_arguments: &[0],
-    },
-    Operator {
-        name: "Place",
-        parameters: &[BLOCK_TYPE, TARGET_TYPE],
-        preconditions: &[
-            IS_BLOCK,
-            LiftedAtom::new(CoverRegrasp::IS_TARGET, &[1]),
-            IS_HELD,
-            IS_CLEAR,
-        ],
-        add_effects: &[
-            HAND_IS_EMPTY,
-            LiftedAtom::new(CoverRegrasp::COVERS, &[0, 1]),
-        ],
-        delete_effects: &[IS_HELD, IS_CLEAR],
-        controller: CoverRegrasp::PLACE,
-        controller_arguments: &[0, 1],
-    },
-    Operator {
-        name: "PlaceOnTable",
-        parameters: &[BLOCK_TYPE],
-        preconditions: &[IS_BLOCK, IS_HELD],
-        add_effects: &[HAND_IS_EMPTY],
-        delete_effects: &[IS_HELD],
-        controller: CoverRegrasp::PLACE_ON_TABLE,
-        controller_arguments: &[0],
-    },
-];
+impl Family for CoverRegrasp {
+    const COVERS: PredicateId = PredicateId(1);
+    const HAND_EMPTY: PredicateId = PredicateId(2);
+    const HOLDING: PredicateId = PredicateId(3);
+    const IS_BLOCK: PredicateId = PredicateId(4);
+    const IS_TARGET: PredicateId = PredicateId(5);
+}
 
 impl Environment for CoverRegrasp {
     type Action = Action;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        &CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &OPERATORS
-    }
+    const TYPES: &'static [ObjectType] = &TYPES;
+    const PREDICATES: &'static [Predicate<Self>] = &[
+        predicates::clear(),
+        predicates::covers(),
+        predicates::hand_empty(),
+        predicates::holding(),
+        predicates::is_block(),
+        predicates::is_target(),
+    ];
+    const CONTROLLERS: &'static [Controller<Self>] = &[
+        controller("Pick", &[BLOCK_TYPE]),
+        controller("Place", &[BLOCK_TYPE, TARGET_TYPE]),
+        controller("PlaceOnTable", &[BLOCK_TYPE]),
+    ];
+    const OPERATORS: &'static [Operator<'static>] = &[
+        Self::PICK_BLOCK,
+        Operator {
+            name: "Place",
+            parameters: &[BLOCK_TYPE, TARGET_TYPE],
+            preconditions: &[Self::A_BLOCK, Self::A_TARGET, Self::HELD, IS_CLEAR],
+            add_effects: &[Self::NOTHING_HELD, Self::COVERED],
+            delete_effects: &[Self::HELD, IS_CLEAR],
+            controller: Self::PLACE,
+            controller_arguments: &[0, 1],
+        },
+        Operator {
+            name: "PlaceOnTable",
+            parameters: &[BLOCK_TYPE],
+            preconditions: &[Self::A_BLOCK, Self::HELD],
+            add_effects: &[Self::NOTHING_HELD],
+            delete_effects: &[Self::HELD],
+            controller: Self::PLACE_ON_TABLE,
+            controller_arguments: &[0],
+        },
+    ];
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         RULES.click(state, f64::from(action))
@@ -146,14 +108,12 @@ impl Environment for CoverRegrasp {
         objects: &[ObjectId],
         rng: &mut G,
     ) -> Parameters {
-        let block = || Block::read(state, *objects.first()?);
-        let target = || Target::read(state, *objects.get(1)?);
-        let operator = OPERATORS.get(usize::from(operator.0));
-        parameters(operator.and_then(|operator| match operator.controller {
-            Self::PICK => Some(sample_pick(&block()?, rng)),
-            Self::PLACE => Some(sample_place(&target()?, rng)),
-            Self::PLACE_ON_TABLE => block().map(|block| block.pose + block.grasp),
+        let draw = |controller, block: Block, target: Option<Target>| match controller {
+            Self::PICK => Some(sample_pick(&block, rng)),
+            Self::PLACE => Some(sample_place(&target?, rng)),
+            Self::PLACE_ON_TABLE => Some(block.pose + block.grasp),
             _ => None,
-        }))
+        };
+        parameters::<Self>(operator, state, objects, draw)
     }
 }

@@ -1,15 +1,13 @@
 //! Random tasks: cover a target with its block.
 
 use super::{
-    BLOCK_TYPE, BLOCK_WIDTHS, BLOCKS, BUMPY_REGION, Cover, CoverRegrasp, NOT_HELD, ROBOT_TYPE,
-    RegionalBumpyCover, TARGET_TYPE, TARGET_WIDTHS, TARGETS,
+    BLOCK_TYPE, BLOCK_WIDTHS, BLOCKS, BUMPY_REGION, Cover, CoverRegrasp, Family, NOT_HELD,
+    ROBOT_TYPE, RegionalBumpyCover, TARGET_TYPE, TARGET_WIDTHS, TARGETS,
 };
 use crate::error::Error;
 use crate::random::{below, uniform, uniform_in};
 use crate::real::Real;
-use crate::task::{
-    Arguments, Environment, GroundAtom, MAX_GOAL_ATOMS, ObjectId, PredicateId, State, Task,
-};
+use crate::task::{Arguments, GroundAtom, MAX_GOAL_ATOMS, ObjectId, State, Task};
 use heapless::Vec;
 use rand_core::Rng;
 
@@ -46,10 +44,7 @@ impl Cover {
     /// # Errors
     /// [`Error::InvalidArgument`] if an object finds no room in 10 000 draws.
     pub fn task<G: Rng>(&self, index: usize, rng: &mut G) -> Result<Task, Error> {
-        Ok(Task {
-            initial: perhaps_holding(self, &CENTRE, rng)?,
-            goal: goal(index, Self::COVERS)?,
-        })
+        perhaps_holding::<Self, G>(index, &CENTRE, rng)
     }
 }
 
@@ -60,10 +55,7 @@ impl CoverRegrasp {
     /// # Errors
     /// [`Error::InvalidArgument`] if an object finds no room in 10 000 draws.
     pub fn task<G: Rng>(&self, index: usize, rng: &mut G) -> Result<Task, Error> {
-        Ok(Task {
-            initial: perhaps_holding(self, &CENTRE_AND_ENDS, rng)?,
-            goal: goal(index, Self::COVERS)?,
-        })
+        perhaps_holding::<Self, G>(index, &CENTRE_AND_ENDS, rng)
     }
 }
 
@@ -97,18 +89,18 @@ impl RegionalBumpyCover {
             *block = [1.0, 0.0, width, pose, NOT_HELD, bumpy];
         }
         Ok(Task {
-            initial: to_state(self, &blocks, HAND, targets)?,
-            goal: goal(index, Self::COVERS)?,
+            initial: to_state::<Self, 6>(&blocks, HAND, targets)?,
+            goal: goal::<Self>(index)?,
         })
     }
 }
 
-/// A state in which a block may be held, at one of these places.
-fn perhaps_holding<E: Environment, G: Rng>(
-    environment: &E,
+/// A task in which a block may be held, at one of these places.
+fn perhaps_holding<E: Family, G: Rng>(
+    index: usize,
     grasps: &[f64],
     rng: &mut G,
-) -> Result<State, Error> {
+) -> Result<Task, Error> {
     let mut line = Line::default();
     let mut blocks = [[0.0; 5]; 2];
     for (block, width) in blocks.iter_mut().zip(BLOCK_WIDTHS) {
@@ -128,7 +120,10 @@ fn perhaps_holding<E: Environment, G: Rng>(
             hand = *pose + *grasp;
         }
     }
-    to_state(environment, &blocks, hand, targets)
+    Ok(Task {
+        initial: to_state::<E, 5>(&blocks, hand, targets)?,
+        goal: goal::<E>(index)?,
+    })
 }
 
 /// What lies on the line so far: the width and pose of each object.
@@ -172,13 +167,12 @@ impl Line {
     }
 }
 
-fn to_state<E: Environment, const N: usize>(
-    environment: &E,
+fn to_state<E: Family, const N: usize>(
     blocks: &[[f64; N]; 2],
     hand: f64,
     targets: [f64; 2],
 ) -> Result<State, Error> {
-    let types = environment.types();
+    let types = E::TYPES;
     let mut state = State::new();
     for block in blocks {
         state.add(types, BLOCK_TYPE, block)?;
@@ -192,7 +186,7 @@ fn to_state<E: Environment, const N: usize>(
 }
 
 /// The goal of the task at this place of a series.
-fn goal(index: usize, covers: PredicateId) -> Result<Vec<GroundAtom, MAX_GOAL_ATOMS>, Error> {
+fn goal<E: Family>(index: usize) -> Result<Vec<GroundAtom, MAX_GOAL_ATOMS>, Error> {
     let ([block0, block1], [target0, target1]) = (BLOCKS, TARGETS);
     let pairs: &[[ObjectId; 2]] = match index % 3 {
         0 => &[[block0, target0]],
@@ -202,7 +196,7 @@ fn goal(index: usize, covers: PredicateId) -> Result<Vec<GroundAtom, MAX_GOAL_AT
     let mut goal = Vec::new();
     for pair in pairs {
         let atom = GroundAtom {
-            predicate: covers,
+            predicate: E::COVERS,
             objects: Arguments::new(*pair)?,
         };
         goal.push(atom)

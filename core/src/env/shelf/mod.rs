@@ -124,7 +124,7 @@
 //!
 //! let task = Shelf.task(&mut generator(1))?;
 //! let yaw = task.initial.attributes(BOX).unwrap()[3] as f32;
-//! let [pick, place] = Shelf.operators() else { unreachable!() };
+//! let [pick, place] = Shelf::OPERATORS else { unreachable!() };
 //! for (pitch, works) in [(0.4, true), (1.5, false)] {
 //!     let picked = try_operator(&Shelf, pick, &[ROBOT, BOX], &[pitch, yaw], &task.initial);
 //!     assert!(picked.is_feasible());
@@ -228,21 +228,10 @@ pub struct Shelf;
 impl Environment for Shelf {
     type Action = Action;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &predicates::PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        &controllers::CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &operators::OPERATORS
-    }
+    const TYPES: &'static [ObjectType] = &TYPES;
+    const PREDICATES: &'static [Predicate<Self>] = &predicates::PREDICATES;
+    const CONTROLLERS: &'static [Controller<Self>] = &controllers::CONTROLLERS;
+    const OPERATORS: &'static [Operator<'static>] = &operators::OPERATORS;
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         simulate::simulate(state.values_mut(), action).ok_or(Failure::default())

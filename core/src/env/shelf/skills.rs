@@ -67,7 +67,7 @@ mod tests {
             let constants: std::vec::Vec<_> = constants.map(|c| (c.name, c.value)).collect();
             assert_eq!(constants, expected);
             let controller = usize::from(skill.description().own.0);
-            let controller = &Shelf.controllers()[controller];
+            let controller = &Shelf::CONTROLLERS[controller];
             let parameters = skill.domain().parameters().iter();
             let ranges: std::vec::Vec<_> = parameters.map(|p| [p.low, p.high]).collect();
             assert_eq!(ranges, controller.parameters, "{}", controller.name);

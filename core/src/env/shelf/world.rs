@@ -52,7 +52,7 @@ impl World {
     /// # Errors
     /// Those of [`State::add`].
     pub fn to_state(&self) -> Result<State, Error> {
-        let types = Shelf.types();
+        let types = Shelf::TYPES;
         let mut state = State::new();
         state.add(types, ROBOT_TYPE, &self.robot)?;
         state.add(types, BOX_TYPE, &self.item)?;

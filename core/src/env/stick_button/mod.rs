@@ -17,7 +17,7 @@
 //!
 //! let environment = StickButton { angles: false };
 //! let task = environment.task(1..=1, &mut generator(7))?;
-//! let pick = environment.operators().iter().find(|o| o.name == "PickStickFromNothing").unwrap();
+//! let pick = StickButton::OPERATORS.iter().find(|o| o.name == "PickStickFromNothing").unwrap();
 //! let outcome = try_operator(&environment, pick, &[ROBOT, STICK], &[0.95], &task.initial);
 //! assert!(!outcome.is_feasible(), "the end of the stick is out of reach");
 //! # Ok::<(), critreg::Error>(())
@@ -111,21 +111,10 @@ pub struct StickButton {
 impl Environment for StickButton {
     type Action = Action;
 
-    fn types(&self) -> &'static [ObjectType] {
-        &TYPES
-    }
-
-    fn predicates(&self) -> &'static [Predicate<Self>] {
-        &predicates::PREDICATES
-    }
-
-    fn controllers(&self) -> &'static [Controller<Self>] {
-        &controllers::CONTROLLERS
-    }
-
-    fn operators(&self) -> &'static [Operator<'static>] {
-        &operators::OPERATORS
-    }
+    const TYPES: &'static [ObjectType] = &TYPES;
+    const PREDICATES: &'static [Predicate<Self>] = &predicates::PREDICATES;
+    const CONTROLLERS: &'static [Controller<Self>] = &controllers::CONTROLLERS;
+    const OPERATORS: &'static [Operator<'static>] = &operators::OPERATORS;
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         simulate::simulate(self.angles, state.values_mut(), action).ok_or(Failure::default())

@@ -38,7 +38,7 @@ pub(super) fn pick(
     let mu = theta
         .first()
         .ok_or(Error::InvalidArgument("picking needs the parameter mu"))?;
-    let operators = environment.operators();
+    let operators = StickButton::OPERATORS;
     let pick = operators
         .get(usize::from(PICK_STICK_FROM_NOTHING.0))
         .ok_or(Error::InvalidArgument("there is no such operator"))?;
@@ -66,7 +66,7 @@ mod tests {
     fn the_domain_text_agrees_with_the_environment() {
         let domain = Domain::parse(StickButton::PICK_DOMAIN).unwrap();
         assert_eq!(domain.instance_len(), StickButton::PICK_INSTANCE_LEN);
-        let types = StickButton::default().types();
+        let types = StickButton::TYPES;
         for (object, kind) in domain.objects().iter().zip(types) {
             assert_eq!(object.name, kind.name);
             assert_eq!(domain.attributes_of(object.type_index), kind.attributes);
@@ -88,7 +88,7 @@ mod tests {
             let constant = domain.constants().iter().find(|c| c.name == name).unwrap();
             assert_eq!(constant.value, value, "{name}");
         }
-        let pick = &StickButton::default().operators()[usize::from(PICK_STICK_FROM_NOTHING.0)];
+        let pick = &StickButton::OPERATORS[usize::from(PICK_STICK_FROM_NOTHING.0)];
         assert_eq!(pick.name, "PickStickFromNothing");
     }
 }

@@ -23,7 +23,7 @@ impl StickButton {
         if pick(self, &mut state, theta)? != Verdict::Feasible {
             return Ok(Outcome::FailedStep(1));
         }
-        let operators = self.operators();
+        let operators = Self::OPERATORS;
         let press = operators
             .get(usize::from(STICK_PRESS_BUTTON_FROM_NOTHING.0))
             .ok_or(Error::InvalidArgument("there is no such operator"))?;
@@ -45,7 +45,7 @@ mod tests {
     #[test]
     fn the_operator_is_where_it_is_expected() {
         let index = usize::from(STICK_PRESS_BUTTON_FROM_NOTHING.0);
-        let press = &StickButton::default().operators()[index];
+        let press = &StickButton::OPERATORS[index];
         assert_eq!(press.name, "StickPressButtonFromNothing");
     }
 

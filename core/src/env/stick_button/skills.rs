@@ -60,7 +60,7 @@ mod tests {
         for skill in skills.iter() {
             assert_eq!(skill.domain().constants(), pick.constants());
             let controller = usize::from(skill.description().own.0);
-            let controller = &environment.controllers()[controller];
+            let controller = &StickButton::CONTROLLERS[controller];
             let parameters = skill.domain().parameters().iter();
             let ranges: std::vec::Vec<_> = parameters.map(|p| [p.low, p.high]).collect();
             assert_eq!(ranges, controller.parameters, "{}", controller.name);

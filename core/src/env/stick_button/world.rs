@@ -58,7 +58,7 @@ impl<'a> World<'a> {
 
     /// Adds all objects to a state that has none.
     pub(super) fn add_to(&self, state: &mut State) -> Result<(), Error> {
-        let types = StickButton::default().types();
+        let types = StickButton::TYPES;
         state.add(types, ROBOT_TYPE, self.robot)?;
         state.add(types, STICK_TYPE, self.stick)?;
         state.add(types, HOLDER_TYPE, self.holder)?;

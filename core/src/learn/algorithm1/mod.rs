@@ -45,15 +45,14 @@ pub use config::{Capacity, Config, Memory, Report};
 use super::log::Observation;
 use super::problem::Problem;
 use super::{Learner, Outcome, Query, cut};
-use crate::domain::{
-    CHECKSUM, Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene,
-};
+use crate::domain::{Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene};
 use crate::error::Error;
 use crate::grammar::{Features, Formula, Hypotheses, Inequality};
 use crate::random::{Generator, below, generator, uniform_in};
 use crate::real::Real;
 use crate::region::{Region, Theta};
 use crate::table::Table;
+use crate::wire::CHECKSUM;
 use bounds::BoundTable;
 
 /// Where learning stands.

@@ -85,12 +85,13 @@ pub use membership::Membership;
 use super::log::Observation;
 use super::problem::Problem;
 use super::{Learner, Outcome, Query, cut};
-use crate::domain::{CHECKSUM, Domain};
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::random::{Generator, generator};
 use crate::real::Real;
 use crate::region::Region;
 use crate::table::Table;
+use crate::wire::CHECKSUM;
 use cover::MEMBERS;
 use forms::{Forms, Storage};
 

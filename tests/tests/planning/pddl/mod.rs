@@ -66,28 +66,28 @@ fn ground_built_in(buttons: usize) -> oracle::Ground {
     let task = environment
         .task(buttons..=buttons, &mut generator(1))
         .unwrap();
-    let atoms = Atoms::new(&environment, &task.initial).unwrap();
+    let atoms = Atoms::new::<StickButton>(&task.initial).unwrap();
     let mut operators: heapless::Vec<GroundOperator, 64> = heapless::Vec::new();
     ground_operators(
-        environment.operators(),
+        StickButton::OPERATORS,
         &task.initial,
         &atoms,
         &mut operators,
     )
     .unwrap();
     let text = |name: &str, objects: &[_]| {
-        let object = |o| State::name(&task.initial, environment.types(), o).unwrap();
+        let object = |o| State::name(&task.initial, StickButton::TYPES, o).unwrap();
         let objects: String = objects.iter().map(|o| format!(" {}", object(*o))).collect();
         format!("({name}{objects})")
     };
     let words = |set: AtomSet| -> BTreeSet<String> {
-        let name = |a: &GroundAtom| environment.predicates()[usize::from(a.predicate.0)].name;
+        let name = |a: &GroundAtom| StickButton::PREDICATES[usize::from(a.predicate.0)].name;
         atoms
             .members(set)
             .map(|a| text(name(a), a.objects.as_slice()))
             .collect()
     };
-    let name = |id: OperatorId| environment.operators()[usize::from(id.0)].name;
+    let name = |id: OperatorId| StickButton::OPERATORS[usize::from(id.0)].name;
     let described = operators.iter().map(|o| oracle::Operator {
         name: text(name(o.operator), o.objects.as_slice()),
         preconditions: words(o.preconditions),

@@ -1,6 +1,6 @@
 //! Formulas as what they join by `and`.
 
-use super::formula::{Constraint, Formula, Inequality, MAX_CONSTRAINTS, Step};
+use super::{Constraint, Formula, Inequality, MAX_CONSTRAINTS, Step};
 use crate::domain::{Node, copy, is_same};
 use crate::error::Error;
 use core::ops::Range;

@@ -11,9 +11,16 @@
 //! `grasp.y <= 2.9 (zone.top - robot.radius)`. It is kept, printed and otherwise
 //! ignored. `expr` is that of the [domain text](crate::domain).
 
-use crate::domain::{Domain, Node, NodeId, copy, intern};
+mod comparison;
+mod conjuncts;
+mod parser;
+mod writer;
+
+pub use comparison::Comparison;
+pub use conjuncts::Conjunct;
+
+use crate::domain::{Node, NodeId, copy, intern};
 use crate::error::Error;
-use crate::text::{Failed, Lexer, Token};
 use core::fmt;
 use heapless::Vec;
 
@@ -23,59 +30,6 @@ pub const MAX_CONSTRAINTS: usize = 32;
 pub const MAX_FORMULA_NODES: usize = 160;
 /// Most constraints and connectives in a formula together.
 pub const MAX_FORMULA_STEPS: usize = 96;
-
-/// The four inequality symbols of the grammar.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Comparison {
-    /// `<`
-    Less,
-    /// `<=`
-    LessEqual,
-    /// `>=`
-    GreaterEqual,
-    /// `>`
-    Greater,
-}
-
-impl Comparison {
-    /// All of them, in the order in which hypotheses are enumerated.
-    pub const ALL: [Comparison; 4] = [
-        Comparison::Less,
-        Comparison::LessEqual,
-        Comparison::GreaterEqual,
-        Comparison::Greater,
-    ];
-
-    /// Its symbol.
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            Comparison::Less => "<",
-            Comparison::LessEqual => "<=",
-            Comparison::GreaterEqual => ">=",
-            Comparison::Greater => ">",
-        }
-    }
-
-    /// Whether it bounds its left side from above.
-    pub const fn is_upper(self) -> bool {
-        matches!(self, Comparison::Less | Comparison::LessEqual)
-    }
-
-    /// Whether equality satisfies it.
-    pub const fn admits_equal(self) -> bool {
-        matches!(self, Comparison::LessEqual | Comparison::GreaterEqual)
-    }
-
-    /// Whether `left self right` holds; false for NaN.
-    pub fn holds<T: PartialOrd>(self, left: &T, right: &T) -> bool {
-        match self {
-            Comparison::Less => left < right,
-            Comparison::LessEqual => left <= right,
-            Comparison::GreaterEqual => left >= right,
-            Comparison::Greater => left > right,
-        }
-    }
-}
 
 /// `left comparison right`, with an optional name for the right side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -308,94 +262,6 @@ impl Formula {
         }
     }
 
-    /// Reads a formula; the whole text must be one.
-    ///
-    /// # Errors
-    /// [`Error::Syntax`] with line and column; [`Error::CapacityExceeded`].
-    pub fn parse(domain: &Domain<'_>, text: &str) -> Result<Formula, Error> {
-        let mut parser = FormulaParser {
-            domain,
-            lexer: Lexer::new(text),
-            formula: Formula::everything(),
-            depth: 0,
-        };
-        let read = parser.whole();
-        parser.lexer.outcome(read)?;
-        if parser.formula.steps.as_slice() == [Step::True] {
-            return Ok(Formula::everything());
-        }
-        Ok(parser.formula)
-    }
-
-    /// Writes the formula so that reading it gives the same formula.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write(&self, domain: &Domain<'_>, out: &mut dyn fmt::Write) -> fmt::Result {
-        match self.steps.len().checked_sub(1) {
-            None => out.write_str("true"),
-            Some(last) => self.write_step(domain, out, last, Precedence::Or),
-        }
-    }
-
-    fn write_step(
-        &self,
-        domain: &Domain<'_>,
-        out: &mut dyn fmt::Write,
-        at: usize,
-        place: Precedence,
-    ) -> fmt::Result {
-        let (word, own) = match self.steps.get(at).ok_or(fmt::Error)? {
-            Step::True => return out.write_str("true"),
-            Step::Constraint(index) => {
-                let constraint = self.constraints.get(usize::from(*index));
-                return self.write_constraint(domain, out, constraint.ok_or(fmt::Error)?);
-            }
-            Step::Not => {
-                out.write_str("not ")?;
-                return self.write_step(domain, out, before(at)?, Precedence::Literal);
-            }
-            Step::And => (" and ", Precedence::And),
-            Step::Or => (" or ", Precedence::Or),
-        };
-        let right = before(at)?;
-        let left = before(self.start_of(right)?)?;
-        let brackets = own < place;
-        if brackets {
-            out.write_char('(')?;
-        }
-        self.write_step(domain, out, left, own)?;
-        out.write_str(word)?;
-        self.write_step(domain, out, right, own.above())?;
-        if brackets {
-            out.write_char(')')?;
-        }
-        Ok(())
-    }
-
-    /// Writes one constraint of the formula.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write_constraint(
-        &self,
-        domain: &Domain<'_>,
-        out: &mut dyn fmt::Write,
-        constraint: &Constraint,
-    ) -> fmt::Result {
-        domain.write_expression(out, &self.nodes, constraint.left)?;
-        out.write_char(' ')?;
-        out.write_str(constraint.comparison.symbol())?;
-        out.write_char(' ')?;
-        domain.write_expression(out, &self.nodes, constraint.right)?;
-        if let Some(name) = constraint.name {
-            out.write_str(" (")?;
-            domain.write_expression(out, &self.nodes, name)?;
-            out.write_char(')')?;
-        }
-        Ok(())
-    }
-
     /// Index of the first step of the statement that ends at `at`.
     pub(super) fn start_of(&self, mut at: usize) -> Result<usize, fmt::Error> {
         let mut missing = 1usize;
@@ -415,151 +281,4 @@ impl Formula {
 
 fn before(at: usize) -> Result<usize, fmt::Error> {
     at.checked_sub(1).ok_or(fmt::Error)
-}
-
-#[derive(Clone, Copy, PartialEq, PartialOrd)]
-enum Precedence {
-    Or,
-    And,
-    Literal,
-}
-
-impl Precedence {
-    fn above(self) -> Precedence {
-        match self {
-            Precedence::Or => Precedence::And,
-            Precedence::And | Precedence::Literal => Precedence::Literal,
-        }
-    }
-}
-
-/// Deepest nesting of brackets and `not` in a formula's text.
-const MAX_NESTING: u8 = 12;
-
-struct FormulaParser<'d, 't, 's> {
-    domain: &'d Domain<'t>,
-    lexer: Lexer<'s>,
-    formula: Formula,
-    depth: u8,
-}
-
-impl FormulaParser<'_, '_, '_> {
-    fn whole(&mut self) -> Result<(), Failed> {
-        self.disjunction()?;
-        match self.lexer.token() {
-            Token::End => Ok(()),
-            _ => Err(self.lexer.fail("expected `and`, `or` or the end")),
-        }
-    }
-
-    fn disjunction(&mut self) -> Result<(), Failed> {
-        self.conjunction()?;
-        while self.lexer.accept("or") {
-            self.conjunction()?;
-            self.push_step(Step::Or)?;
-        }
-        Ok(())
-    }
-
-    fn conjunction(&mut self) -> Result<(), Failed> {
-        self.literal()?;
-        while self.lexer.accept("and") {
-            self.literal()?;
-            self.push_step(Step::And)?;
-        }
-        Ok(())
-    }
-
-    fn literal(&mut self) -> Result<(), Failed> {
-        if self.depth >= MAX_NESTING {
-            return Err(self.lexer.fail("the formula is nested too deeply"));
-        }
-        self.depth += 1;
-        let read = self.nested_literal();
-        self.depth -= 1;
-        read
-    }
-
-    fn nested_literal(&mut self) -> Result<(), Failed> {
-        if self.lexer.accept("not") {
-            self.literal()?;
-            return self.push_step(Step::Not);
-        }
-        if self.lexer.accept("true") {
-            return self.push_step(Step::True);
-        }
-        if self.lexer.token() != Token::Symbol("(") {
-            return self.constraint();
-        }
-        // A bracket opens an expression or a formula: try both, and report the
-        // error of the reading that got further.
-        let (lexer, formula) = (self.lexer.clone(), &self.formula);
-        let kept = (
-            formula.nodes.len(),
-            formula.constraints.len(),
-            formula.steps.len(),
-        );
-        if self.constraint().is_ok() {
-            return Ok(());
-        }
-        let as_constraint = core::mem::replace(&mut self.lexer, lexer);
-        self.formula.truncate(kept);
-        self.lexer.advance();
-        let as_formula = self.bracketed();
-        if as_formula.is_err() {
-            self.lexer.note_further(&as_constraint);
-        }
-        as_formula
-    }
-
-    /// A formula and the bracket that closes it.
-    fn bracketed(&mut self) -> Result<(), Failed> {
-        self.disjunction()?;
-        self.lexer.expect(")", "expected `and`, `or` or `)`")
-    }
-
-    fn constraint(&mut self) -> Result<(), Failed> {
-        let left = self.expression()?;
-        let at = self.lexer.place();
-        let comparison = Comparison::ALL
-            .into_iter()
-            .find(|c| self.lexer.token() == Token::Symbol(c.symbol()))
-            .ok_or_else(|| self.lexer.fail_at(at, "expected `<`, `<=`, `>=` or `>`"))?;
-        self.lexer.advance();
-        let right = self.expression()?;
-        let mut name = None;
-        if self.lexer.accept("(") {
-            name = Some(self.expression()?);
-            self.lexer
-                .expect(")", "expected `)` behind the name of the bound")?;
-        }
-        let dimension = |id: NodeId| self.domain.dimension(&self.formula.nodes, id);
-        let sides = [Some(left), Some(right), name].map(|id| id.and_then(dimension));
-        let mut measured = sides.iter().flatten();
-        if let Some(first) = measured.next()
-            && measured.any(|d| d != first)
-        {
-            return Err(self
-                .lexer
-                .fail_at(at, "the two sides have different dimensions"));
-        }
-        let constraint = Constraint {
-            left,
-            comparison,
-            right,
-            name,
-        };
-        let pushed = self.formula.push_constraint(constraint);
-        pushed.map_err(|full| self.lexer.note(full))
-    }
-
-    fn push_step(&mut self, step: Step) -> Result<(), Failed> {
-        let pushed = self.formula.push_step(step);
-        pushed.map_err(|full| self.lexer.note(full))
-    }
-
-    fn expression(&mut self) -> Result<NodeId, Failed> {
-        self.domain
-            .read_expression(&mut self.lexer, &mut self.formula.nodes)
-    }
 }
