@@ -73,6 +73,7 @@ impl<T> Part<T> {
 }
 
 /// Counts bytes while parts are put one behind the other.
+#[derive(Clone, Copy)]
 pub(crate) struct Packer {
     pub(crate) size: usize,
 }

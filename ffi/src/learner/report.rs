@@ -2,7 +2,6 @@
 
 use crate::boundary::status::{critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
-use crate::learner::any::{AnyLearner, Report};
 use core::ffi::c_void;
 #[cfg(feature = "algorithm1")]
 use critreg_core::learn;
@@ -101,16 +100,8 @@ pub type critreg_progress = Option<
 >;
 
 impl critreg_report {
-    pub(crate) fn new(learner: &AnyLearner) -> Self {
-        match learner.report() {
-            #[cfg(feature = "algorithm1")]
-            Report::Algorithm1(report) => Self::of_algorithm1(&report),
-            Report::VersionSpace(report) => Self::of_version_space(&report),
-        }
-    }
-
     #[cfg(feature = "algorithm1")]
-    fn of_algorithm1(report: &learn::Report) -> Self {
+    pub(crate) fn of_algorithm1(report: &learn::Report) -> Self {
         let counted = |count: Option<usize>| count.map_or(CRITREG_NOT_RUN, |n| n as u64);
         critreg_report {
             enumerated: report.enumeration.enumerated,
@@ -130,7 +121,7 @@ impl critreg_report {
         }
     }
 
-    fn of_version_space(report: &version_space::Report) -> Self {
+    pub(crate) fn of_version_space(report: &version_space::Report) -> Self {
         critreg_report {
             enumerated: report.forms.saturating_add(report.forms_left_out) as u64,
             kept: report.forms as u64,
@@ -160,8 +151,6 @@ pub unsafe extern "C" fn critreg_report_init(
     report: *mut critreg_report,
     size: usize,
 ) -> critreg_status {
-    let mut value = EMPTY;
-    value.struct_size = u32::try_from(size).unwrap_or(0);
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(report, size, critreg_report::FIRST, value) })
+    status_of(unsafe { structs::init(report, size, EMPTY) })
 }
