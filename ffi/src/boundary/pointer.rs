@@ -84,6 +84,18 @@ impl<T> Output<T> {
         Ok(Output(pointer))
     }
 
+    /// The same for a result that is not wanted if the pointer is NULL.
+    ///
+    /// # Safety
+    /// As for [`Output::new`].
+    pub(crate) unsafe fn optional(pointer: *mut T, name: &'static str) -> Fallible<Option<Self>> {
+        if pointer.is_null() {
+            return Ok(None);
+        }
+        // SAFETY: by this function's contract.
+        unsafe { Output::new(pointer, name) }.map(Some)
+    }
+
     pub(crate) fn write(self, value: T) {
         // SAFETY: checked, and writable by the contract of `new`.
         unsafe { self.0.write(value) }

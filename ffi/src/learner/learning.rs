@@ -6,7 +6,7 @@ use crate::learner::handle::{Inner, critreg_learner, problem, with_learner};
 use crate::learner::outcome::{CRITREG_NO_OUTCOME, critreg_outcome};
 use crate::region::handle::critreg_region;
 use core::ffi::c_void;
-use critreg_core::learn::{Learner as _, Query};
+use critreg_core::learn::Query;
 
 /// Whatever can tell whether an action works: a simulator, a motion planner, a
 /// robot.
@@ -81,9 +81,7 @@ pub unsafe extern "C" fn critreg_learn_region(
     unsafe {
         with_learner(learner, |handle, inner| {
             let simulate = simulate.ok_or(Failure::Null("simulate"))?;
-            if !region.is_null() {
-                pointer::check(region, "region")?;
-            }
+            let output = Output::optional(region, "region")?;
             let problem = problem(handle, instances, count)?;
             inner.retire_region();
             while !inner.learner.is_finished() {
@@ -96,8 +94,8 @@ pub unsafe extern "C" fn critreg_learn_region(
                 show_progress(handle, inner)?;
             }
             let learned = inner.give_region(handle.domain)?;
-            if !region.is_null() {
-                region.write(learned);
+            if let Some(output) = output {
+                output.write(learned);
             }
             Ok(())
         })

@@ -249,8 +249,6 @@ pub unsafe extern "C" fn critreg_callbacks_init(
     callbacks: *mut critreg_callbacks,
     size: usize,
 ) -> critreg_status {
-    let mut value = NOTHING;
-    value.struct_size = u32::try_from(size).unwrap_or(0);
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(callbacks, size, critreg_callbacks::FIRST, value) })
+    status_of(unsafe { structs::init(callbacks, size, NOTHING) })
 }

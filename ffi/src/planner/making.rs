@@ -188,7 +188,8 @@ pub unsafe extern "C" fn critreg_planner_message(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let handle = handle::open(planner);
-        status_of(handle.and_then(|handle| text::write(&Words(handle), text, len, needed)))
+        handle::read(planner, |handle| {
+            text::write(&Words(handle), text, len, needed)
+        })
     }
 }

@@ -5,7 +5,7 @@ use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::precision::{Precision, in_precision};
 use crate::boundary::rng::{critreg_rng, with_rng};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
-use crate::region::handle::{critreg_region, with_region};
+use crate::region::handle::critreg_region;
 use critreg_core::Error;
 use critreg_core::real::Real;
 use critreg_core::region::{Intersection, Part, Theta};
@@ -29,7 +29,7 @@ pub unsafe extern "C" fn critreg_region_contains(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             let output = Output::new(inside, "inside")?;
             let count = handle.domain.parameters().len();
             let theta = pointer::slice(theta, count, "theta")?;
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn critreg_region_intervals(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             let count = Output::new(count, "count")?;
             if capacity > 0 {
                 pointer::check(ends, "ends")?;
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn critreg_region_is_empty(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             let output = Output::new(empty, "empty")?;
             let empty = in_precision!(handle.precision, R => {
                 handle.ground::<R>(instance)?.is_proven_empty()?
@@ -154,7 +154,7 @@ pub unsafe extern "C" fn critreg_sample_region(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             let count = handle.domain.parameters().len();
             let output = OutputArray::new(theta, count, "theta")?;
             let (region, domain) = (&handle.region, handle.domain);
