@@ -7,6 +7,7 @@
 //! size only it knows, which `heapless` cannot express without unsafe code.
 
 use crate::error::Error;
+use crate::real::Real;
 use heapless::{Vec, VecView};
 
 /// Brings the last item to a place, the items from there on moving up by one: an
@@ -42,6 +43,38 @@ pub(crate) fn gather<T, const N: usize>(items: impl IntoIterator<Item = T>) -> V
         }
     }
     all
+}
+
+/// What the entries of a lent table hold before anything is kept there.
+pub trait Blank {
+    /// Such an entry.
+    const BLANK: Self;
+}
+
+impl<R: Real> Blank for R {
+    const BLANK: R = R::ZERO;
+}
+
+impl Blank for u8 {
+    const BLANK: u8 = 0;
+}
+
+impl Blank for u16 {
+    const BLANK: u16 = 0;
+}
+
+impl Blank for u64 {
+    const BLANK: u64 = 0;
+}
+
+/// As much of a lent table as is needed.
+///
+/// # Errors
+/// [`Error::InvalidArgument`] if it is shorter.
+pub(crate) fn cut<T>(table: &mut [T], length: usize) -> Result<&mut [T], Error> {
+    table.get_mut(..length).ok_or(Error::InvalidArgument(
+        "the learner needs more memory for this capacity",
+    ))
 }
 
 /// A vector over a borrowed slice; pushing to a full one is an error.

@@ -3,7 +3,8 @@
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::env::stick_button::{ROBOT, STICK, StickButton};
-use critreg::learn::{Algorithm1, Config, Learner, Outcome, Problem, learn_region};
+use critreg::learn::algorithm1::Config;
+use critreg::learn::{Algorithm1, Learner, Outcome, Problem, learn_region};
 use critreg::random::generator;
 use critreg::region::Theta;
 use critreg::skill::Scope;

@@ -5,6 +5,7 @@
 
 use crate::error::Error;
 use crate::real::Real;
+use crate::table::Blank;
 use heapless::VecView;
 
 /// Index of a node in its list.
@@ -102,6 +103,10 @@ pub enum Node {
     Difference(NodeId, NodeId),
     /// `a * b`
     Product(NodeId, NodeId),
+}
+
+impl Blank for Node {
+    const BLANK: Self = Node::Number(0.0);
 }
 
 /// Which of several values counts.

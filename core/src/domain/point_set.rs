@@ -13,6 +13,12 @@ pub struct PointSet {
 }
 
 impl PointSet {
+    /// No points.
+    pub(crate) const EMPTY: PointSet = PointSet {
+        fixed: Bits::NONE,
+        sampled: Bits::NONE,
+    };
+
     /// All points of a domain.
     pub fn all(domain: &Domain<'_>) -> PointSet {
         (0u8..)
@@ -108,6 +114,8 @@ pub(super) struct Bits([u32; 2]);
 const _: () = assert!(MAX_POINTS <= 64, "there is a bit per point");
 
 impl Bits {
+    const NONE: Bits = Bits([0; 2]);
+
     fn insert(&mut self, point: u8) {
         if let Some(word) = self.0.get_mut(usize::from(point / 32)) {
             *word |= 1 << (point % 32);

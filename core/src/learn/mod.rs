@@ -11,17 +11,18 @@
 //! | [`Algorithm1`] | the thesis's Algorithm 1: prune `left op right` hypotheses |
 //! | [`VersionSpace`] | sound: keep every explanation of the answers, ask where they disagree |
 
-mod algorithm1;
+pub mod algorithm1;
 mod log;
 mod outcome;
 mod problem;
+mod tables;
 pub mod version_space;
 
-pub use algorithm1::{Algorithm1, Bounds, Capacity, Config, Memory, Report};
+pub use algorithm1::Algorithm1;
 pub use log::{Observation, resume, save, saved_len};
 pub use outcome::Outcome;
 pub use problem::Problem;
-pub use version_space::VersionSpace;
+pub use version_space::{Capacity, Certificate, Config, Evidence, Memory, Report, VersionSpace};
 
 use crate::error::Error;
 use crate::region::{Region, Theta};
@@ -92,11 +93,4 @@ pub fn learn_region<'l, L: Learner, E: From<Error>>(
         learner.tell(problem, outcome)?;
     }
     Ok(learner.region()?)
-}
-
-/// As much of a lent table as a learner needs.
-fn cut<T>(table: &mut [T], length: usize) -> Result<&mut [T], Error> {
-    table.get_mut(..length).ok_or(Error::InvalidArgument(
-        "the learner needs more memory for this capacity",
-    ))
 }

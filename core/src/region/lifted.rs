@@ -3,6 +3,7 @@
 use crate::domain::{Domain, PointSet};
 use crate::error::Error;
 use crate::grammar::Formula;
+use crate::table::Blank;
 use core::fmt;
 
 /// The parameters with which an action is expected to work, as readable
@@ -34,15 +35,19 @@ pub struct Region {
     pub(super) fingerprint: u32,
 }
 
-impl Default for Region {
+impl Blank for Region {
     /// A place for a region: it admits everything, and belongs to a domain without text.
+    const BLANK: Self = Region {
+        formula: Formula::everything(),
+        points: PointSet::EMPTY,
+        relevant: 0,
+        fingerprint: 0,
+    };
+}
+
+impl Default for Region {
     fn default() -> Self {
-        Region {
-            formula: Formula::everything(),
-            points: PointSet::default(),
-            relevant: 0,
-            fingerprint: 0,
-        }
+        Region::BLANK
     }
 }
 

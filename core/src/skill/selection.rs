@@ -71,9 +71,9 @@ impl<'s> Spread<'s> {
     ) -> Result<Self, Error> {
         const FULL: Error = Error::CapacityExceeded("features of training instances");
         let learner = &mut memory.learner;
-        let (nodes, values) = (&mut *learner.features, &mut *learner.rows);
+        let (nodes, values) = (&mut *learner.features, &mut *learner.lhs_values);
         let features = Features::enumerate_up_to(&skill.domain, COMPLEXITY, nodes, values)?;
-        let rows = learner.instances.get_mut(..(wanted + 2) * features.len());
+        let rows = learner.rhs_values.get_mut(..(wanted + 2) * features.len());
         Ok(Spread {
             skill,
             instances: memory.instances,

@@ -1,17 +1,17 @@
 //! What all learners of the core have in common for C.
 
 use crate::learner::report::critreg_report;
-use critreg_core::learn::Learner;
-use critreg_core::learn::version_space::{self, Evidence, VersionSpace};
+use critreg_core::learn::version_space::{self, Evidence};
 #[cfg(feature = "algorithm1")]
-use critreg_core::learn::{self, Algorithm1};
+use critreg_core::learn::{Algorithm1, algorithm1};
+use critreg_core::learn::{Learner, VersionSpace};
 use critreg_core::real::Real;
 
 /// How much a learner of some kind has room for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Capacity {
     #[cfg(feature = "algorithm1")]
-    Algorithm1(learn::Capacity),
+    Algorithm1(algorithm1::Capacity),
     VersionSpace(version_space::Capacity),
 }
 

@@ -11,7 +11,7 @@ use crate::region::handle::critreg_region;
 use crate::region::layout::DomainLayout;
 use critreg_core::domain::Domain;
 #[cfg(feature = "algorithm1")]
-use critreg_core::learn;
+use critreg_core::learn::algorithm1;
 use critreg_core::learn::version_space;
 
 /// The parts of a learner. Its tables stand behind the others.
@@ -128,7 +128,7 @@ const _: () = {
             };
             #[cfg(feature = "algorithm1")]
             {
-                let first = learn::Capacity {
+                let first = algorithm1::Capacity {
                     hypotheses: forms,
                     observations,
                 };

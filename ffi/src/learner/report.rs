@@ -4,7 +4,7 @@ use crate::boundary::status::{critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
 use core::ffi::c_void;
 #[cfg(feature = "algorithm1")]
-use critreg_core::learn;
+use critreg_core::learn::algorithm1;
 use critreg_core::learn::version_space;
 
 /// In a critreg_report: this did not happen (yet), or never does in this learner.
@@ -101,7 +101,7 @@ pub type critreg_progress = Option<
 
 impl critreg_report {
     #[cfg(feature = "algorithm1")]
-    pub(crate) fn of_algorithm1(report: &learn::Report) -> Self {
+    pub(crate) fn of_algorithm1(report: &algorithm1::Report) -> Self {
         let counted = |count: Option<usize>| count.map_or(CRITREG_NOT_RUN, |n| n as u64);
         critreg_report {
             enumerated: report.enumeration.enumerated,

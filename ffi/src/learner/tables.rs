@@ -4,70 +4,53 @@ use crate::boundary::memory::{Packer, Part, append};
 use crate::boundary::status::{Failure, Fallible};
 use crate::learner::any::{AnyLearner, Capacity};
 use crate::learner::config::critreg_config;
-use critreg_core::domain::{Domain, Node};
-use critreg_core::learn::Observation;
-use critreg_core::learn::version_space::{self, Cover, Evidence, Sample, Span, VersionSpace};
+use critreg_core::domain::Domain;
 #[cfg(feature = "algorithm1")]
-use critreg_core::learn::{self, Algorithm1, Bounds};
+use critreg_core::learn::{Algorithm1, algorithm1};
+use critreg_core::learn::{VersionSpace, version_space};
 use critreg_core::real::Real;
-use critreg_core::region::Region;
+use critreg_core::table::Blank;
 
-/// A kind of learner and, behind it, its tables in their order: of each what is in it, how
-/// much, and how its part is filled with what.
+/// Declares where a learner lies and, behind it, the tables that its macro lists.
 macro_rules! tables {
-    ($name:ident: $room:ident::$learner:ident with $capacity:ident;
-     $($table:ident: $type:ty, $count:expr, $fill:ident($first:expr);)*) => {
+    (
+        [$name:ident $learner:ident $module:ident]
+        $($(#[$doc:meta])* $table:ident: $entry:ty, $count:ident;)*
+    ) => {
         struct $name<R: 'static> {
-            learner: Part<$room::$learner<'static, R>>,
-            $($table: Part<$type>,)*
+            learner: Part<$learner<'static, R>>,
+            $($table: Part<$entry>,)*
         }
 
         impl<R: 'static> $name<R> {
-            const fn new(packer: &mut Packer, $capacity: $room::Capacity) -> Option<Self> {
+            const fn new(packer: &mut Packer, capacity: $module::Capacity) -> Option<Self> {
                 Some($name {
                     learner: append!(packer, 1),
-                    $($table: append!(packer, $count),)*
+                    $($table: append!(packer, capacity.$count()),)*
                 })
             }
         }
 
         impl<R: Real> $name<R> {
+            /// Fills the tables and lends them.
+            ///
             /// # Safety
-            /// As for [`Part::fill`].
-            unsafe fn lend(&self, memory: *mut u8) -> $room::Memory<'static, R> {
+            /// As for [`Part::fill_with`].
+            unsafe fn lend(&self, memory: *mut u8) -> $module::Memory<'static, R> {
                 // SAFETY: by this function's contract; the parts do not overlap.
-                unsafe { $room::Memory { $($table: self.$table.$fill(memory, $first),)* } }
+                unsafe {
+                    $module::Memory {
+                        $($table: self.$table.fill_with(memory, || <$entry as Blank>::BLANK),)*
+                    }
+                }
             }
         }
     };
 }
 
 #[cfg(feature = "algorithm1")]
-tables! {
-    Algorithm1Tables: learn::Algorithm1 with capacity;
-    features: Node, capacity.features(), fill(Node::Number(0.0));
-    values: R, capacity.features(), fill(R::ZERO);
-    bounds: Bounds<R>, capacity.lefts(), fill(Default::default());
-    observations: Observation, capacity.observations, fill(Default::default());
-    pairs: u8, capacity.pairs(), fill(0);
-}
-
-tables! {
-    VersionSpaceTables: version_space::VersionSpace with capacity;
-    features: Node, capacity.features(), fill(Node::Number(0.0));
-    instances: R, capacity.instance_values(), fill(R::ZERO);
-    spans: Span<R>, capacity.spans(), fill(Default::default());
-    bits: u64, capacity.bits(), fill(0);
-    rows: R, capacity.rows(), fill(R::ZERO);
-    lefts: R, capacity.lefts(), fill(R::ZERO);
-    sets: u64, capacity.sets(), fill(0);
-    region: Region, 1, put(Region::default());
-    support: Evidence, capacity.support(), fill(Default::default());
-    covers: Cover<R>, capacity.covers(), fill_with(Default::default);
-    observations: Observation, capacity.observations, fill(Default::default());
-    samples: Sample, capacity.observations, fill(Default::default());
-    columns: u16, capacity.features(), fill(0);
-}
+critreg_core::algorithm1_tables! { [tables] Algorithm1Tables Algorithm1 algorithm1 }
+critreg_core::version_space_tables! { [tables] VersionSpaceTables VersionSpace version_space }
 
 /// Where a learner ends whose tables begin behind `front`; `None` if no memory is that
 /// long.
@@ -123,7 +106,7 @@ pub(crate) unsafe fn make<R: Real>(
             let tables = VersionSpaceTables::<R>::new(&mut front, capacity).ok_or(TOO_LONG)?;
             // SAFETY: as above.
             let learner = unsafe { put_blank(&tables, capacity, memory, config.version_space()?)? };
-            learner.settle(domain)?;
+            learner.enumerate(domain)?;
             Ok(learner)
         }
     }

@@ -4,7 +4,7 @@ use critreg::Error;
 use critreg::env::cluttered_table::{ClutteredTable, GRASP, cans};
 use critreg::env::cover::{BLOCKS, Block, Cover, ROBOT, TARGETS, Target};
 use critreg::learn::Outcome;
-use critreg::learn::version_space::Config as LearnerConfig;
+use critreg::learn::version_space::{Config as LearnerConfig, Tuning};
 use critreg::plan::{Draw, Drawn, Sampler, Skeleton};
 use critreg::random::{generator, uniform_in};
 use critreg::region::Region;
@@ -31,6 +31,7 @@ const TRAINING: Training = Training {
         noise: 0.0,
         slack: 0.0,
         confidence: 0.95,
+        tuning: &Tuning::CHOSEN,
     },
 };
 

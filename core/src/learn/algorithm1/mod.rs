@@ -44,7 +44,7 @@ pub use config::{Capacity, Config, Memory, Report};
 
 use super::log::Observation;
 use super::problem::Problem;
-use super::{Learner, Outcome, Query, cut};
+use super::{Learner, Outcome, Query};
 use crate::domain::{Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene};
 use crate::error::Error;
 use crate::grammar::{Features, Formula, Hypotheses, Inequality};
@@ -139,14 +139,11 @@ impl<'m, R: Real> Algorithm1<'m, R> {
                 "Algorithm 1 learns about parameters, and the domain declares none",
             ));
         }
-        let nodes = cut(memory.features, capacity.features())?;
-        let values = cut(memory.values, capacity.features())?;
-        let features = Features::enumerate(domain, nodes, values)?;
-        let pairs = cut(memory.pairs, capacity.pairs())?;
-        let hypotheses = Hypotheses::enumerate(&features, pairs);
-        let bounds = BoundTable::new(cut(memory.bounds, capacity.lefts())?);
-        let observations = cut(memory.observations, capacity.observations)?;
-        let observations = Table::new(observations, "observations");
+        let memory = memory.cut(capacity)?;
+        let features = Features::enumerate(domain, memory.features, memory.values)?;
+        let hypotheses = Hypotheses::enumerate(&features, memory.pairs);
+        let bounds = BoundTable::new(memory.bounds);
+        let observations = Table::new(memory.observations, "observations");
         for sample in [config.negative, config.positive].iter().flatten() {
             check_sample(domain, sample)?;
         }
@@ -316,7 +313,7 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
             Some(feasible) => {
                 self.hypotheses.update(&self.features, feasible);
                 self.bounds
-                    .settle(&mut self.hypotheses, &self.features, feasible);
+                    .tighten(&mut self.hypotheses, &self.features, feasible);
                 self.rebuild_region(problem.domain());
                 self.report.feasible += usize::from(feasible);
             }

@@ -1,24 +1,17 @@
-//! The region that an explanation stands for.
+//! Clauses in words of the domain: what the region says, and what it costs to say it.
 
 use super::bound::Bound;
-use super::chosen::Chosen;
-use super::config::Evidence;
+use super::clause::Clause;
 use super::forms::{Forms, tolerance};
 use super::name::{Name, Named, Scaled, clearance, simplest};
+use super::report::Evidence;
 use crate::domain::{Domain, Node, NodeId, Relation, TermError, copy, intern};
 use crate::error::Error;
-use crate::grammar::{Comparison, Inequality, MAX_COMPLEXITY};
+use crate::grammar::{Comparison, Inequality};
 use crate::real::Real;
 use crate::text::split_at_dot;
 use heapless::{Vec, VecView};
 
-/// How close the ends of a bound must be for its name to count, as a share of what
-/// the form ranges over.
-const CLOSE: f64 = 0.01;
-/// What a threshold costs in bits, per complexity of its name.
-const PRICE_OF_NAMES: f64 = 0.42;
-/// What it costs in bits to measure from an object that has key points.
-const PRICE_OF_CORNERS: f64 = 0.56;
 /// Terms of one constraint.
 const TERMS: usize = 40;
 
@@ -39,7 +32,7 @@ pub(super) struct Description {
 pub(super) fn describe<R: Real>(
     domain: &Domain<'_>,
     forms: &Forms<'_, R>,
-    chosen: &Chosen<R>,
+    clause: &Clause<R>,
     step: usize,
 ) -> Result<Description, Error> {
     let mut description = Description {
@@ -47,16 +40,16 @@ pub(super) fn describe<R: Real>(
         any_of: Vec::new(),
         evidence: Vec::new(),
     };
-    for bound in chosen.bounds() {
+    for bound in clause.bounds() {
         let inequality = inequality(domain, forms, bound, &mut description.nodes)?;
-        let own = |value: R| bound.side.outward(value).to_f64();
+        let own = |value: R| bound.form.outward(value).to_f64();
         // There is room for both bounds.
         let _ = description.any_of.push(inequality);
         let _ = description.evidence.push(Evidence {
             step: step as u32 + 1,
             feasible: own(bound.inner),
             infeasible: own(bound.outer),
-            support: chosen.support,
+            support: clause.support,
         });
     }
     Ok(description)
@@ -77,7 +70,7 @@ fn inequality<R: Real>(
     };
     Ok(Inequality {
         left,
-        comparison: if bound.side.upper {
+        comparison: if bound.form.upper {
             Comparison::LessEqual
         } else {
             Comparison::GreaterEqual
@@ -92,7 +85,7 @@ fn left_side<R: Real>(
     bound: &Bound<R>,
     nodes: &mut VecView<Node>,
 ) -> Result<NodeId, TermError> {
-    let (left, right) = forms.terms(&bound.side);
+    let (left, right) = forms.terms(&bound.form);
     let known = forms.features().nodes();
     let left = copy(known, left, nodes)?;
     match right {
@@ -118,7 +111,7 @@ fn threshold<R: Real>(
     forms: &Forms<'_, R>,
     bound: &Bound<R>,
 ) -> (f64, Option<Named>) {
-    let outward = |value: R| bound.side.outward(value).to_f64();
+    let outward = |value: R| bound.form.outward(value).to_f64();
     if is_sign(bound) {
         // The sum has no negative zero.
         return (outward(bound.inner.max(R::ZERO)) + 0.0, None);
@@ -130,10 +123,10 @@ fn threshold<R: Real>(
                 named.name = clearance.unwrap_or(named.name);
             }
             let exact = named.name.value;
-            let fits = bound.side.outward(R::from_f64(exact)) >= bound.inner;
+            let fits = bound.form.outward(R::from_f64(exact)) >= bound.inner;
             (if fits { exact } else { outward(bound.inner) }, Some(named))
         }
-        _ => (outward(bound.middle()), None),
+        _ => (outward(bound.threshold(forms.tuning())), None),
     }
 }
 
@@ -143,7 +136,7 @@ fn is_one_constant(named: &Named) -> bool {
 
 /// The points between which the form of a bound measures, if that is all it does.
 fn distance<R: Real>(forms: &Forms<'_, R>, bound: &Bound<R>) -> Option<[u8; 2]> {
-    let (left, right) = forms.terms(&bound.side);
+    let (left, right) = forms.terms(&bound.form);
     match forms.features().nodes().get(usize::from(left.0))? {
         Node::Distance(_, a, b) | Node::Extreme(_, Relation::Distance(_, a, b)) => {
             right.is_none().then_some([*a, *b])
@@ -160,7 +153,7 @@ fn clearance_of<R: Real>(
     named: &Named,
 ) -> Option<Name> {
     let points = distance(forms, bound)?;
-    let (left, _) = forms.terms(&bound.side);
+    let (left, _) = forms.terms(&bound.form);
     let dimension = domain.dimension(forms.features().nodes(), left)?;
     clearance(domain, dimension, named.name.value, |constant| {
         let owner = split_at_dot(constant.name).map(|(owner, _)| owner);
@@ -172,52 +165,56 @@ fn clearance_of<R: Real>(
 /// The simplest name between the ends of a bound.
 fn name<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, bound: &Bound<R>) -> Option<Named> {
     let (inner, outer) = (bound.inner, bound.outer);
-    let (left, _) = forms.terms(&bound.side);
+    let (left, _) = forms.terms(&bound.form);
     let dimension = domain.dimension(forms.features().nodes(), left)?;
     let rounding = tolerance(inner);
     (outer - inner).is_finite().then(|| {
         simplest(domain, dimension, |value| {
-            let value = bound.side.outward(R::from_f64(value));
+            let value = bound.form.outward(R::from_f64(value));
             inner - rounding <= value && value < outer - rounding
         })
     })?
 }
 
-/// What is to be said of a constraint beyond its forms, in bits: a name for its
-/// threshold makes it shorter, if its ends are so close that the name is no accident.
-pub(super) fn details<R: Real>(
+/// What the names of a clause's thresholds cost, beyond [`Clause::length`], in bits: a name
+/// makes it shorter, if the ends of the bound are so close that the name is no accident.
+pub(super) fn naming_length<R: Real>(
     domain: &Domain<'_>,
     forms: &Forms<'_, R>,
-    chosen: &Chosen<R>,
+    clause: &Clause<R>,
 ) -> f64 {
-    let details = chosen.bounds().map(|bound| {
-        let close = bound.range * R::from_f64(CLOSE);
-        let unnamed = 3 + MAX_COMPLEXITY;
+    let tuning = forms.tuning();
+    let lengths = clause.bounds().map(|bound| {
         if is_sign(bound) {
             // There is no threshold to describe.
-            return 1.0 - forms.bits_of_threshold();
+            return tuning.zero_threshold - forms.threshold_length();
         }
+        let close = bound.range * R::from_f64(tuning.name_gap);
         let named = if bound.outer - bound.inner <= close {
             name(domain, forms, bound).filter(|named| named.alone)
         } else {
             None
         };
-        let complexity = named.map_or(unnamed, |named| named.complexity);
-        let corner = if speaks_of_corner(domain, forms, bound) {
-            PRICE_OF_CORNERS
+        let complexity = named.map_or(tuning.unnamed_complexity, |named| named.complexity as f64);
+        let corner = if measures_from_corner(domain, forms, bound) {
+            tuning.corner
         } else {
             0.0
         };
-        corner + PRICE_OF_NAMES * complexity as f64
+        corner + tuning.name_complexity * complexity
     });
-    details.sum()
+    lengths.sum()
 }
 
 /// Whether its left side measures from where an object stands although the domain
 /// declares key points of that object: those are there because they mean
 /// something.
-fn speaks_of_corner<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, bound: &Bound<R>) -> bool {
-    let (left, _) = forms.terms(&bound.side);
+fn measures_from_corner<R: Real>(
+    domain: &Domain<'_>,
+    forms: &Forms<'_, R>,
+    bound: &Bound<R>,
+) -> bool {
+    let (left, _) = forms.terms(&bound.form);
     let Some(Node::Distance(_, a, b)) = forms.features().nodes().get(usize::from(left.0)) else {
         return false;
     };
