@@ -39,10 +39,10 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            136808 bytes           34720 bytes
- *           4096           256            553032 bytes           46496 bytes
- *          10000           256           1165996 bytes           55332 bytes
- *          20000           256           2148496 bytes           70336 bytes
+ *           1024           128            136872 bytes           34752 bytes
+ *           4096           256            553096 bytes           46528 bytes
+ *          10000           256           1166060 bytes           55368 bytes
+ *          20000           256           2148560 bytes           70368 bytes
  *
  * Every further instance takes hypotheses + 512 bytes more, every further step
  * 16 * hypotheses + 5632 at most. On a small machine critreg_config.precision and
