@@ -1,6 +1,6 @@
 //! The tables of a learner in its memory, and what lies in them at first.
 
-use crate::boundary::memory::{Packer, Part, append};
+use crate::boundary::memory::{Packer, Part, append, parts};
 use crate::boundary::status::{Failure, Fallible};
 use crate::learner::any::{AnyLearner, Capacity};
 use crate::learner::config::critreg_config;
@@ -17,18 +17,10 @@ macro_rules! tables {
         [$name:ident $learner:ident $module:ident]
         $($(#[$doc:meta])* $table:ident: $entry:ty, $count:ident;)*
     ) => {
-        struct $name<R: 'static> {
-            learner: Part<$learner<'static, R>>,
-            $($table: Part<$entry>,)*
-        }
-
-        impl<R: 'static> $name<R> {
-            const fn new(packer: &mut Packer, capacity: $module::Capacity) -> Option<Self> {
-                Some($name {
-                    learner: append!(packer, 1),
-                    $($table: append!(packer, capacity.$count()),)*
-                })
-            }
+        parts! {
+            $name<R> with capacity: $module::Capacity;
+            learner: $learner<'static, R>, 1;
+            $($table: $entry, capacity.$count();)*
         }
 
         impl<R: Real> $name<R> {
