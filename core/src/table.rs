@@ -45,6 +45,16 @@ pub(crate) fn gather<T, const N: usize>(items: impl IntoIterator<Item = T>) -> V
     all
 }
 
+/// Swaps two rows of so many items each, if both are there.
+pub(crate) fn swap_rows<T>(items: &mut [T], length: usize, first: usize, second: usize) {
+    let (first, second) = (first.min(second), first.max(second));
+    let Some((before, after)) = items.split_at_mut_checked(second * length) else {
+        return;
+    };
+    let first = before.iter_mut().skip(first * length).take(length);
+    first.zip(after).for_each(|(a, b)| core::mem::swap(a, b));
+}
+
 /// What the entries of a lent table hold before anything is kept there.
 pub trait Blank {
     /// Such an entry.

@@ -91,7 +91,7 @@ pub use declarations::{
 };
 pub use dimension::Dimension;
 pub use expression::{Dependence, MAX_DEPTH};
-pub use node::{Coordinate, Extreme, Metric, Node, NodeId, Relation};
+pub use node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};

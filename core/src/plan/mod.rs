@@ -96,8 +96,8 @@ pub use metrics::{Metrics, Spent};
 pub use open::Waiting;
 pub use planner::{Conclusion, Memory, Planned, Planner};
 pub use refine::{Refinement, Refiner, Step};
-pub use search::{MAX_SKELETON, Search, SearchMemory, SearchNode};
-pub use skeleton::Skeleton;
+pub use search::{Search, SearchMemory, SearchNode};
+pub use skeleton::{MAX_SKELETON, Skeleton};
 pub use world::{Draw, Drawn, Sampler, Simulated, World};
 
 use crate::task::{AtomSet, GroundOperator};

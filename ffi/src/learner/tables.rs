@@ -41,8 +41,8 @@ macro_rules! tables {
 }
 
 #[cfg(feature = "algorithm1")]
-critreg_core::algorithm1_tables! { [tables] Algorithm1Tables Algorithm1 algorithm1 }
-critreg_core::version_space_tables! { [tables] VersionSpaceTables VersionSpace version_space }
+critreg_core::algorithm1_tables! { [tables] R, Algorithm1Tables Algorithm1 algorithm1 }
+critreg_core::version_space_tables! { [tables] R, VersionSpaceTables VersionSpace version_space }
 
 /// Where a learner ends whose tables begin behind `front`; `None` if no memory is that
 /// long.

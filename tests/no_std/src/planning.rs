@@ -7,7 +7,9 @@ use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
 use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
 use critreg::env::stick_button::StickButton;
-use critreg::skill::{Changes, Describe, Informed, Skill, Skills, Training, TrainingMemory};
+use critreg::skill::{
+    Changes, Describe, RegionGuide, RegionSampler, Skill, Skills, Trainer, Training, TrainingMemory,
+};
 use critreg::plan::{AbstractTask, Conclusion, Config, Memory, Planner, ReasonId, Simulated};
 use critreg::random::generator;
 use critreg::text::TextBuffer;
@@ -52,13 +54,8 @@ plan_in! {
 fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {
     let environment = &room.environment;
     let mut skills = Skills::new(environment, &mut room.skills, &mut room.changes)?;
-    skills.learn(
-        room.skill,
-        environment,
-        room.tasks,
-        &room.training,
-        room.memory,
-    )?;
+    let mut trainer = Trainer::new(environment, room.training, room.memory);
+    trainer.learn(&mut skills, room.skill, room.tasks)?;
     let task = room.tasks.first().ok_or(Error::NoRegion)?;
     let atoms = Atoms::new::<E>(&task.initial)?;
     ground_operators(E::OPERATORS, &task.initial, &atoms, &mut room.operators)?;
@@ -67,14 +64,14 @@ fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {
         initial: atoms.abstract_state(environment, &task.initial),
         goal: atoms.set(task.goal.iter().copied())?,
     };
-    let mut informed = Informed::new(environment, &skills, &task.initial);
+    let mut guide = RegionGuide::new(environment, &skills, &task.initial);
     let mut planner = Planner {
         world: &mut Simulated {
             environment,
             atoms: &atoms,
         },
-        sampler: &mut informed.clone(),
-        guide: &mut informed,
+        sampler: &mut RegionSampler::new(environment, &skills),
+        guide: &mut guide,
         config: room.config,
     };
     let lots = generator(room.seed);
@@ -83,6 +80,6 @@ fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {
     let solved = planned.conclusion == Conclusion::Solved;
     let mut text = TextBuffer::new(&mut room.text);
     let reason = planned.metrics.main_reason().unwrap_or(ReasonId(0));
-    let explained = informed.explain(&room.operators, reason, &mut text);
+    let explained = guide.explain(&room.operators, reason, &mut text);
     Ok(solved || explained.is_ok())
 }

@@ -1,6 +1,6 @@
 //! Roles: from a state and ground operators to an instance of a domain text.
 
-use super::scope::Scope;
+use super::context::Context;
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::task::{Environment, MAX_STATE_VALUES, ObjectId, ObjectType, TypeId};
@@ -8,7 +8,7 @@ use heapless::Vec;
 
 /// Who fills a role.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Holder {
+enum Filler {
     /// An object of the controller.
     Own(usize),
     /// An object of the later controller.
@@ -26,7 +26,7 @@ enum Holder {
 /// Where a number of an instance comes from.
 #[derive(Clone, Copy, Debug)]
 struct Source {
-    holder: Holder,
+    filler: Filler,
     attribute: usize,
 }
 
@@ -43,17 +43,17 @@ struct Source {
 /// | `other_button[4]` | a group: those that are none of the controllers' |
 ///
 /// The attributes of a role are among those of the type, by their names. Which objects
-/// count as members of groups can be narrowed by predicates:
-/// [`Description::among`](super::Description::among).
+/// are members of groups can be narrowed by predicates:
+/// [`Description::members`](super::Description::members).
 #[derive(Clone, Debug)]
-pub struct Binding {
+pub struct RoleBinding {
     sources: Vec<Source, MAX_STATE_VALUES>,
 }
 
 const NO_ROLE: Error =
     Error::Mismatch("an object of the text is no role: no type has its name and its attributes");
 
-impl Binding {
+impl RoleBinding {
     /// The binding of a text's objects, for controllers with objects of these types.
     ///
     /// # Errors
@@ -70,13 +70,13 @@ impl Binding {
             let (kind, named) = Role::read(object.name, types).ok_or(NO_ROLE)?;
             let mut attributes = named.attributes.iter();
             let source = Source {
-                holder: kind.holder(object.member.map(|m| m.index.into()), own, later),
+                filler: kind.filler(object.member.map(|m| m.index.into()), own, later),
                 attribute: attributes.position(|a| a == attribute).ok_or(NO_ROLE)?,
             };
             let pushed = sources.push(source);
             pushed.map_err(|_| Error::CapacityExceeded("numbers of an instance"))?;
         }
-        Ok(Binding { sources })
+        Ok(RoleBinding { sources })
     }
 
     /// How many numbers an instance has.
@@ -89,21 +89,21 @@ impl Binding {
         self.sources.is_empty()
     }
 
-    /// Writes the instance of a scope to `out`, which has a place for each number.
+    /// Writes the instance of a context to `out`, which has a place for each number.
     ///
     /// # Errors
     /// [`Error::Mismatch`] if nobody, or not one object alone, fills a role.
     pub fn instance<E: Environment>(
         &self,
-        scope: &Scope<'_, E>,
+        context: &Context<'_, E>,
         out: &mut [f64],
     ) -> Result<(), Error> {
         const NOBODY: Error = Error::Mismatch("a role is not filled by one object");
         for (source, number) in self.sources.iter().zip(out) {
-            let object = source.object(scope);
-            *number = match object.and_then(|o| scope.state.attributes(o)) {
+            let object = source.object(context);
+            *number = match object.and_then(|o| context.state.attributes(o)) {
                 Some(attributes) => *attributes.get(source.attribute).ok_or(NOBODY)?,
-                None if source.holder.kind_of_members().is_some() => f64::NAN,
+                None if source.filler.kind_of_members().is_some() => f64::NAN,
                 None => return Err(NOBODY),
             };
         }
@@ -114,38 +114,37 @@ impl Binding {
     pub(super) fn source<E: Environment>(
         &self,
         slot: usize,
-        scope: &Scope<'_, E>,
+        context: &Context<'_, E>,
     ) -> Option<(ObjectId, usize)> {
         let source = self.sources.get(slot)?;
-        Some((source.object(scope)?, source.attribute))
+        Some((source.object(context)?, source.attribute))
     }
 
     /// The type of whose objects a number of an instance is one of several.
     pub(super) fn kind_of_members(&self, slot: usize) -> Option<TypeId> {
-        self.sources.get(slot)?.holder.kind_of_members()
+        self.sources.get(slot)?.filler.kind_of_members()
     }
 }
 
-impl Holder {
+impl Filler {
     fn kind_of_members(self) -> Option<TypeId> {
         match self {
-            Holder::Member(kind, _) | Holder::OtherMember(kind, _) => Some(kind),
+            Filler::Member(kind, _) | Filler::OtherMember(kind, _) => Some(kind),
             _ => None,
         }
     }
 }
 
 impl Source {
-    fn object<E: Environment>(&self, scope: &Scope<'_, E>) -> Option<ObjectId> {
-        let is_other =
-            |object: &ObjectId| !scope.own.contains(object) && !scope.later.contains(object);
-        match self.holder {
-            Holder::Own(place) => scope.own.get(place).copied(),
-            Holder::Later(place) => scope.later.get(place).copied(),
-            Holder::Member(kind, index) => scope.members(kind).nth(index),
-            Holder::OtherMember(kind, index) => scope.members(kind).filter(is_other).nth(index),
-            Holder::Only(kind) => single(scope.state.of_type(kind)),
-            Holder::Other(kind) => single(scope.state.of_type(kind).filter(is_other)),
+    fn object<E: Environment>(&self, context: &Context<'_, E>) -> Option<ObjectId> {
+        let is_other = |object: &ObjectId| context.is_other(*object);
+        match self.filler {
+            Filler::Own(place) => context.objects.get(place).copied(),
+            Filler::Later(place) => context.later_objects.get(place).copied(),
+            Filler::Member(kind, index) => context.members(kind).nth(index),
+            Filler::OtherMember(kind, index) => context.members(kind).filter(is_other).nth(index),
+            Filler::Only(kind) => single(context.state.of_type(kind)),
+            Filler::Other(kind) => single(context.state.of_type(kind).filter(is_other)),
         }
     }
 }
@@ -194,11 +193,11 @@ impl Role {
         })
     }
 
-    fn holder(&self, member: Option<usize>, own: &[TypeId], later: &[TypeId]) -> Holder {
+    fn filler(&self, member: Option<usize>, own: &[TypeId], later: &[TypeId]) -> Filler {
         match (self.which, member) {
-            (Which::Other, Some(index)) => return Holder::OtherMember(self.type_id, index),
-            (Which::Other, None) => return Holder::Other(self.type_id),
-            (_, Some(index)) => return Holder::Member(self.type_id, index),
+            (Which::Other, Some(index)) => return Filler::OtherMember(self.type_id, index),
+            (Which::Other, None) => return Filler::Other(self.type_id),
+            (_, Some(index)) => return Filler::Member(self.type_id, index),
             (_, None) => {}
         }
         let place = |types: &[TypeId]| {
@@ -208,9 +207,9 @@ impl Role {
         };
         let own = place(own).filter(|_| self.which == Which::Any);
         match (own, place(later)) {
-            (Some(place), _) => Holder::Own(place),
-            (None, Some(place)) => Holder::Later(place),
-            (None, None) => Holder::Only(self.type_id),
+            (Some(place), _) => Filler::Own(place),
+            (None, Some(place)) => Filler::Later(place),
+            (None, None) => Filler::Only(self.type_id),
         }
     }
 }

@@ -8,7 +8,9 @@ use critreg::learn::version_space::{Config as LearnerConfig, Tuning};
 use critreg::plan::{Draw, Drawn, Sampler, Skeleton};
 use critreg::random::{generator, uniform_in};
 use critreg::region::Region;
-use critreg::skill::{Changes, Describe, Description, Informed, Setting, Skill, Skills, Training};
+use critreg::skill::{
+    Changes, Describe, Description, Oracle, RegionSampler, Situation, Skill, Skills, Training,
+};
 use critreg::task::{
     Controller, ControllerId, Environment, Failure, GroundOperator, Naming, ObjectId, ObjectType,
     Operator, Predicate, State, Task, Terminal, TypeId, always, try_operator,
@@ -16,12 +18,12 @@ use critreg::task::{
 use critreg_tests::plan::Grounding;
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom};
 
-/// A dozen settings of a dozen tasks, of a hundred that there are.
+/// A dozen situations of a dozen tasks, of a hundred that there are.
 const TRAINING: Training = Training {
     chained: 20,
     budget: 0,
     tasks: 12,
-    instances: 12,
+    situations: 12,
     states: 100,
     learner: LearnerConfig {
         seed: 0,
@@ -35,16 +37,17 @@ const TRAINING: Training = Training {
     },
 };
 
-/// The settings in which the skill at an index is tried.
-fn settings<E: Describe>(environment: &E, index: usize, tasks: &[Task]) -> Vec<Setting> {
-    let mut skill_room = SkillRoom::new(environment);
-    let mut skills = skill_room.lend(environment);
-    let mut room = TrainingRoom::new(&TRAINING);
-    let memory = room.lend();
-    let learned = skills.learn(index, environment, tasks, &TRAINING, memory);
-    let count = learned.unwrap().instances;
-    let all = room.lend().settings[..count].iter();
-    all.map(|setting| setting.clone().unwrap()).collect()
+/// The situations in which the skill at an index is tried.
+fn situations<E: Describe>(environment: &E, index: usize, tasks: &[Task]) -> Vec<Situation> {
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(environment).unwrap();
+    let mut room = TrainingRoom::new(TRAINING);
+    let learned = room
+        .trainer(environment, 0)
+        .learn(&mut skills, index, tasks);
+    let count = learned.unwrap().situations;
+    let all = room.lend().situations[..count].iter();
+    all.map(|situation| situation.clone().unwrap()).collect()
 }
 
 fn cover_tasks(seed: u64) -> Vec<Task> {
@@ -59,21 +62,21 @@ fn cluttered_tasks(seed: u64) -> Vec<Task> {
     (0..100).map(task).collect()
 }
 
-// Which settings
+// Which situations
 
 /// The indices of Cover's skills.
 const PLACE: usize = 1;
 const PICK_PLACE: usize = 2;
 const PLACE_PLACE: usize = 3;
 
-/// How far the other block lies from the target of a setting of Place.
-fn room_beside(setting: &Setting) -> f64 {
-    let [block, target] = *setting.steps[0].objects.as_slice() else {
+/// How far the other block lies from the target of a situation of Place.
+fn room_beside(situation: &Situation) -> f64 {
+    let [block, target] = *situation.steps[0].objects.as_slice() else {
         panic!("Place has two objects");
     };
     let mut others = BLOCKS.into_iter().filter(|other| *other != block);
-    let other = Block::read(&setting.state, others.next().unwrap()).unwrap();
-    (other.pose - Target::read(&setting.state, target).unwrap().pose).abs()
+    let other = Block::read(&situation.state, others.next().unwrap()).unwrap();
+    (other.pose - Target::read(&situation.state, target).unwrap().pose).abs()
 }
 
 /// Puts the second block right beside the first target; whether there is room.
@@ -100,46 +103,51 @@ fn a_rare_relation_that_stands_out_is_among_a_dozen_settings() {
             rare += u32::from(rare < 2 && put_beside(task));
         }
         assert_eq!(rare, 2);
-        let settings = settings(&Cover, PLACE, &tasks);
-        assert_eq!(settings.len(), 12);
-        let close = settings.iter().filter(|setting| room_beside(setting) < 0.1);
+        let situations = situations(&Cover, PLACE, &tasks);
+        assert_eq!(situations.len(), 12);
+        let close = situations
+            .iter()
+            .filter(|situation| room_beside(situation) < 0.1);
         assert!(close.count() >= 1, "seed {seed}");
     }
 }
 
-/// What can be compared of settings.
-fn described(settings: &[Setting]) -> Vec<(State, Vec<GroundOperator>)> {
-    let all = settings.iter();
-    all.map(|setting| (setting.state.clone(), setting.steps.to_vec()))
+/// What can be compared of situations.
+fn described(situations: &[Situation]) -> Vec<(State, Vec<GroundOperator>)> {
+    let all = situations.iter();
+    all.map(|situation| (situation.state.clone(), situation.steps.to_vec()))
         .collect()
 }
 
 #[test]
-fn settings_are_always_the_same_and_never_twice() {
+fn situations_are_always_the_same_and_never_twice() {
     let tasks = cover_tasks(7);
     for index in [PLACE, PICK_PLACE, PLACE_PLACE] {
-        let all = described(&settings(&Cover, index, &tasks));
-        assert_eq!(all, described(&settings(&Cover, index, &tasks)));
+        let all = described(&situations(&Cover, index, &tasks));
+        assert_eq!(all, described(&situations(&Cover, index, &tasks)));
         for (place, own) in all.iter().enumerate() {
             assert!(!all[..place].contains(own), "{own:?}");
         }
     }
 }
 
-/// That what a setting is about are all objects that were touched on the way to it, and
+/// That what a situation is about are all objects that were touched on the way to it, and
 /// that are in between.
-fn check_objects(setting: &Setting, initial: &State, hand: &[ObjectId]) {
+fn check_objects(situation: &Situation, initial: &State, hand: &[ObjectId]) {
     let objects = |ground: &GroundOperator| ground.objects.as_slice().to_vec();
-    let own = objects(&setting.steps[0]);
-    let about = [&own[..], &objects(setting.steps.last().unwrap()), hand].concat();
+    let own = objects(&situation.steps[0]);
+    let about = [&own[..], &objects(situation.steps.last().unwrap()), hand].concat();
     for (object, _) in initial
         .objects()
         .filter(|(object, _)| !about.contains(object))
     {
-        assert_eq!(setting.state.attributes(object), initial.attributes(object));
+        assert_eq!(
+            situation.state.attributes(object),
+            initial.attributes(object)
+        );
     }
-    let last = setting.steps.len() - 1;
-    for (step, ground) in setting.steps.iter().enumerate() {
+    let last = situation.steps.len() - 1;
+    for (step, ground) in situation.steps.iter().enumerate() {
         let handled = objects(ground);
         assert!(handled.iter().all(|object| about.contains(object)));
         let between = 0 < step && step < last;
@@ -152,17 +160,17 @@ fn nothing_else_is_handled_on_the_way() {
     let (mut moved, mut longest) = (0, 0);
     let tasks = cover_tasks(3);
     for index in [PLACE, PICK_PLACE, PLACE_PLACE] {
-        for setting in settings(&Cover, index, &tasks) {
+        for situation in situations(&Cover, index, &tasks) {
             // Nothing moves targets, which tells the tasks apart.
             let is_own = |task: &&Task| {
                 TARGETS.iter().all(|target| {
-                    task.initial.attributes(*target) == setting.state.attributes(*target)
+                    task.initial.attributes(*target) == situation.state.attributes(*target)
                 })
             };
             let initial = &tasks.iter().find(is_own).unwrap().initial;
-            check_objects(&setting, initial, &[ROBOT]);
-            moved += u32::from(setting.state != *initial);
-            longest = longest.max(setting.steps.len());
+            check_objects(&situation, initial, &[ROBOT]);
+            moved += u32::from(situation.state != *initial);
+            longest = longest.max(situation.steps.len());
         }
     }
     // There are ways, and operators in between.
@@ -170,13 +178,13 @@ fn nothing_else_is_handled_on_the_way() {
 
     const DUMP: usize = 1;
     let tasks = cluttered_tasks(3);
-    let dumping = settings(&ClutteredTable, DUMP, &tasks);
+    let dumping = situations(&ClutteredTable, DUMP, &tasks);
     assert!(dumping.len() > 50);
-    for setting in dumping {
+    for situation in dumping {
         let place = |state: &State| cans(state).unwrap()[0][..2].to_vec();
         let mut all = tasks.iter();
-        let own = all.find(|task| place(&task.initial) == place(&setting.state));
-        check_objects(&setting, &own.unwrap().initial, &[]);
+        let own = all.find(|task| place(&task.initial) == place(&situation.state));
+        check_objects(&situation, &own.unwrap().initial, &[]);
     }
 }
 
@@ -184,8 +192,8 @@ fn nothing_else_is_handled_on_the_way() {
 
 #[test]
 fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
-    let mut skill_room = SkillRoom::new(&ClutteredTable);
-    let mut skills = skill_room.lend(&ClutteredTable);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ClutteredTable).unwrap();
     let skill = skills.get_mut(0).unwrap();
     let region = Region::parse(skill.domain(), "sx <= 0.25 and sy >= 0.5").unwrap();
     skill.set_region(Some(region));
@@ -206,8 +214,8 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
                 attempt: 1,
                 advised: true,
             };
-            let mut informed = Informed::new(&ClutteredTable, &skills, &task.initial);
-            let Drawn::Informed(drawn) = informed.sample(&draw, &mut rng).unwrap() else {
+            let mut sampler = RegionSampler::new(&ClutteredTable, &skills);
+            let Drawn::Informed(drawn) = sampler.sample(&draw, &mut rng).unwrap() else {
                 panic!("the region is not empty");
             };
             let can = cans(&task.initial).unwrap()[usize::from(ground.objects.as_slice()[0].0)];
@@ -221,22 +229,24 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
 }
 
 #[test]
-fn a_setting_is_tried_with_parameters_that_are_completed() {
-    let mut skill_room = SkillRoom::new(&ClutteredTable);
-    let mut skills = skill_room.lend(&ClutteredTable);
+fn a_situation_is_tried_with_parameters_that_are_completed() {
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ClutteredTable).unwrap();
+    let mut oracle = Oracle::new(&ClutteredTable, &mut skills);
     let (mut rng, mut counts) = (generator(1), [0; 2]);
-    for setting in settings(&ClutteredTable, 0, &cluttered_tasks(5)) {
-        let ground = &setting.steps[0];
+    for situation in situations(&ClutteredTable, 0, &cluttered_tasks(5)) {
+        let ground = &situation.steps[0];
         let objects = ground.objects.as_slice();
         let operator = ClutteredTable.operator(ground).unwrap();
-        let can = cans(&setting.state).unwrap()[usize::from(objects[0].0)];
+        let can = cans(&situation.state).unwrap()[usize::from(objects[0].0)];
         for _ in 0..50 {
             let start = [0, 1].map(|_| f64::from(uniform_in(&mut rng, 0.0, 1.0) as f32));
             let all = [start[0], start[1], can[0], can[1]].map(|number| number as f32);
-            let works = try_operator(&ClutteredTable, operator, objects, &all, &setting.state);
-            let tried = skills.attempt(&ClutteredTable, &setting, Some(&start), &mut rng);
-            let expected = Outcome::from_feasible(works.is_feasible());
-            assert_eq!(tried.unwrap(), (expected, 1));
+            let works = try_operator(&ClutteredTable, operator, objects, &all, &situation.state);
+            let runs = oracle.runs();
+            let answer = oracle.answer(&situation, Some(&start), &mut rng);
+            assert_eq!(answer, Ok(Outcome::from_feasible(works.is_feasible())));
+            assert_eq!(oracle.runs() - runs, 1);
             counts[usize::from(works.is_feasible())] += 1;
         }
     }
@@ -245,10 +255,16 @@ fn a_setting_is_tried_with_parameters_that_are_completed() {
 
 // Which texts
 
-/// A world in which nothing happens, and of which this is said.
-struct Described(&'static [Description]);
+/// A world in which nothing happens, and of which one of these things is said.
+struct Described<const CASE: usize>;
 
-impl Environment for Described {
+const FITS: usize = 0;
+const TOO_MANY_PARAMETERS: usize = 1;
+const NOBODYS: usize = 2;
+const NOBODY_LATER: usize = 3;
+const NO_TEXT: usize = 4;
+
+impl<const CASE: usize> Environment for Described<CASE> {
     type Action = ();
 
     const TYPES: &'static [ObjectType] = &[ObjectType {
@@ -272,42 +288,49 @@ impl Environment for Described {
     }
 }
 
-impl Describe for Described {
-    fn descriptions(&self) -> &'static [Description] {
-        self.0
-    }
+impl<const CASE: usize> Describe for Described<CASE> {
+    const DESCRIPTIONS: &'static [Description] = match CASE {
+        FITS => &[about([0, 0], TWO)],
+        TOO_MANY_PARAMETERS => &[about([0, 0], TWO), about([0, 0], THREE)],
+        NOBODYS => &[about([1, 0], TWO)],
+        NOBODY_LATER => &[about([0, 1], TWO)],
+        _ => &[about([0, 0], "parameter a in [0,")],
+    };
 }
 
+const TWO: &str = "parameter a in [0, 1] parameter b in [0, 1]";
+const THREE: &str = "parameter a in [0, 1] parameter b in [0, 1] parameter c in [0, 1]";
+
 const fn about(controllers: [u8; 2], text: &'static str) -> Description {
-    let [own, later] = controllers;
+    let [controller, later] = controllers;
     Description {
-        own: ControllerId(own),
+        controller: ControllerId(controller),
         later: Some(ControllerId(later)),
-        among: &[],
+        members: &[],
         text,
     }
 }
 
+/// What comes of skills of a case, with room for so many skills and controllers.
+fn made<const CASE: usize>(room: [usize; 2]) -> Result<(), Error> {
+    let mut skills: Vec<Option<Skill>> = (0..room[0]).map(|_| None).collect();
+    let mut changes = vec![Changes::default(); room[1]];
+    Skills::new(&Described::<CASE>, &mut skills, &mut changes).map(|_| ())
+}
+
 #[test]
 fn texts_that_do_not_fit_their_controllers_are_refused() {
-    const TWO: &str = "parameter a in [0, 1] parameter b in [0, 1]";
-    const THREE: &str = "parameter a in [0, 1] parameter b in [0, 1] parameter c in [0, 1]";
-    let make = |descriptions: &'static [Description], room: [usize; 2]| {
-        let mut skills: Vec<Option<Skill>> = (0..room[0]).map(|_| None).collect();
-        let mut changes = vec![Changes::default(); room[1]];
-        Skills::new(&Described(descriptions), &mut skills, &mut changes).map(|_| ())
-    };
-    static FITS: [Description; 1] = [about([0, 0], TWO)];
-    static TOO_MANY: [Description; 2] = [about([0, 0], TWO), about([0, 0], THREE)];
-    static NOBODYS: [Description; 1] = [about([1, 0], TWO)];
-    static NOBODY_LATER: [Description; 1] = [about([0, 1], TWO)];
-    static NO_TEXT: [Description; 1] = [about([0, 0], "parameter a in [0,")];
-    assert_eq!(make(&FITS, [1, 1]), Ok(()));
-    for wrong in [&TOO_MANY[..], &NOBODYS, &NOBODY_LATER] {
-        assert!(matches!(make(wrong, [2, 1]), Err(Error::Mismatch(_))));
+    assert_eq!(made::<FITS>([1, 1]), Ok(()));
+    for wrong in [
+        made::<TOO_MANY_PARAMETERS>([2, 1]),
+        made::<NOBODYS>([2, 1]),
+        made::<NOBODY_LATER>([2, 1]),
+    ] {
+        assert!(matches!(wrong, Err(Error::Mismatch(_))));
     }
-    assert!(matches!(make(&NO_TEXT, [1, 1]), Err(Error::Syntax(_))));
+    assert!(matches!(made::<NO_TEXT>([1, 1]), Err(Error::Syntax(_))));
     for room in [[0, 1], [1, 0]] {
-        assert!(matches!(make(&FITS, room), Err(Error::CapacityExceeded(_))));
+        let refused = made::<FITS>(room);
+        assert!(matches!(refused, Err(Error::CapacityExceeded(_))));
     }
 }

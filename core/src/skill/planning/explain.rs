@@ -1,13 +1,16 @@
 //! Why an operator cannot work, in words.
 
-use super::informed::Run;
-use super::tail::{MAX_PARTS, Tail};
-use super::{Describe, Informed, Scope, Skill};
+use super::guide::RegionGuide;
+use super::joint_region::JointRegion;
+use super::knowledge::GroundController;
 use crate::plan::{ReasonId, Skeleton};
+use crate::skill::context::Context;
+use crate::skill::description::Describe;
+use crate::skill::skills::Skill;
 use crate::task::{GroundOperator, ObjectType};
 use core::fmt::{self, Write};
 
-impl<E: Describe> Informed<'_, E> {
+impl<E: Describe> RegionGuide<'_, E> {
     /// Writes what stands in the way of an operator's controller: every constraint without
     /// which it would work in the initial state, alone or after another one, with the
     /// names of objects for the roles. For example `RobotPressButton(robby, button0,
@@ -27,28 +30,28 @@ impl<E: Describe> Informed<'_, E> {
         out: &mut dyn Write,
     ) -> fmt::Result {
         let blocked = operators.get(usize::from(place)).ok_or(fmt::Error)?;
-        let (after, tail) = self.cause(operators, place);
-        let run = |ground| self.run(ground).ok_or(fmt::Error);
-        let (own, later) = (run(after.unwrap_or(blocked))?, run(blocked)?);
-        self.write_run(&later, out)?;
+        let (after, joint) = self.cause(operators, place);
+        let controller = |ground| self.knowledge.controller(ground).ok_or(fmt::Error);
+        let (own, later) = (controller(after.unwrap_or(blocked))?, controller(blocked)?);
+        self.write_controller(&later, out)?;
         if after.is_some() {
             out.write_str(" after ")?;
-            self.write_run(&own, out)?;
+            self.write_controller(&own, out)?;
         }
         let mut out = Named {
             skill: None,
             types: E::TYPES,
-            scope: Scope {
-                environment: self.environment,
+            context: Context {
+                environment: self.knowledge.environment,
                 state: self.initial,
-                own: own.objects.as_slice(),
-                later: later.objects.as_slice(),
-                among: &[],
+                objects: own.objects.as_slice(),
+                later_objects: later.objects.as_slice(),
+                members: &[],
             },
             out,
         };
-        match write_constraints(&tail, true, &mut out)? {
-            0 => write_constraints(&tail, false, &mut out).map(|_| ()),
+        match write_constraints(&joint, true, &mut out)? {
+            0 => write_constraints(&joint, false, &mut out).map(|_| ()),
             _ => Ok(()),
         }
     }
@@ -59,34 +62,34 @@ impl<E: Describe> Informed<'_, E> {
         &self,
         operators: &'o [GroundOperator],
         place: u16,
-    ) -> (Option<&'o GroundOperator>, Tail<'_>) {
+    ) -> (Option<&'o GroundOperator>, JointRegion<'_>) {
         let known = |places: &[u16]| {
             let skeleton = Skeleton::new(operators, places);
-            self.tail(skeleton, self.initial, |_, _| true)
+            self.knowledge
+                .joint_region(skeleton, self.initial, |_, _| true)
         };
-        let is_apart = |tail: &Tail<'_>| tail.are_apart(MAX_PARTS).unwrap_or(false);
+        let is_empty = |joint: &JointRegion<'_>| joint.is_proven_empty().unwrap_or(false);
         let alone = known(&[place]);
-        if is_apart(&alone) {
+        if is_empty(&alone) {
             return (None, alone);
         }
         let pairs = || {
-            let pairs = (0..)
-                .zip(operators)
-                .map(|(own, ground)| (Some(ground), known(&[own, place])));
-            pairs.filter(|(_, tail)| tail.skills.iter().any(|(.., step)| *step > 0))
+            let pairs = (0..).zip(operators);
+            let pairs = pairs.map(|(own, ground)| (Some(ground), known(&[own, place])));
+            pairs.filter(|(_, joint)| joint.regions().iter().any(|region| region.step > 0))
         };
-        let apart = pairs().find(|(_, tail)| is_apart(tail));
-        apart.or_else(|| pairs().next()).unwrap_or((None, alone))
+        let empty = pairs().find(|(_, joint)| is_empty(joint));
+        empty.or_else(|| pairs().next()).unwrap_or((None, alone))
     }
 
     /// Writes a controller with its objects.
-    fn write_run(&self, run: &Run<E>, out: &mut dyn Write) -> fmt::Result {
-        out.write_str(run.controller.name)?;
+    fn write_controller(&self, own: &GroundController<E>, out: &mut dyn Write) -> fmt::Result {
+        out.write_str(own.controller.name)?;
         let mut before = "(";
-        for object in run.objects.as_slice() {
+        for object in own.objects.as_slice() {
             out.write_str(before)?;
-            let name = self.initial.name(E::TYPES, *object);
-            name.ok_or(fmt::Error)?.write(out)?;
+            let name = self.initial.name(E::TYPES, *object).ok_or(fmt::Error)?;
+            name.write(out)?;
             before = ", ";
         }
         out.write_str(if before == "(" { "()" } else { ")" })
@@ -96,17 +99,18 @@ impl<E: Describe> Informed<'_, E> {
 /// Writes constraints of the regions; only those that alone keep the regions from meeting,
 /// or all. Returns how many.
 fn write_constraints<'t, E: Describe>(
-    tail: &Tail<'t>,
+    joint: &JointRegion<'t>,
     deciding: bool,
     out: &mut Named<'t, '_, E>,
 ) -> Result<u32, fmt::Error> {
     let mut count = 0;
-    for (place, (skill, ..)) in tail.skills.iter().enumerate() {
-        let Some(region) = &skill.region else {
+    let skills = joint.regions().iter().map(|region| region.skill);
+    for (place, skill) in skills.enumerate() {
+        let Some(region) = skill.region() else {
             continue;
         };
         for index in 0..region.formula().conjunct_count() {
-            if deciding && !tail.meet_without(place, index).unwrap_or(false) {
+            if deciding && !joint.meet_without(place, index).unwrap_or(false) {
                 continue;
             }
             out.skill = None;
@@ -114,7 +118,7 @@ fn write_constraints<'t, E: Describe>(
             out.skill = Some(skill);
             let conjunct = region.formula().select(|own| own.index == index);
             let conjunct = conjunct.map_err(|_| fmt::Error)?;
-            conjunct.write(&skill.domain, out)?;
+            conjunct.write(skill.domain(), out)?;
             count += 1;
         }
     }
@@ -125,7 +129,7 @@ fn write_constraints<'t, E: Describe>(
 struct Named<'t, 'o, E> {
     skill: Option<&'t Skill>,
     types: &'o [ObjectType],
-    scope: Scope<'o, E>,
+    context: Context<'o, E>,
     out: &'o mut dyn Write,
 }
 
@@ -133,11 +137,11 @@ impl<E: Describe> Write for Named<'_, '_, E> {
     /// Expressions are written name by name.
     fn write_str(&mut self, word: &str) -> fmt::Result {
         let name = self.skill.and_then(|skill| {
-            let mut roles = skill.domain.objects().iter();
+            let mut roles = skill.domain().objects().iter();
             let role = roles.find(|o| o.name == word && o.member.is_none())?;
             let slot = usize::from(role.first_slot);
-            let source = skill.binding.source(slot, &self.scope);
-            self.scope.state.name(self.types, source?.0)
+            let source = skill.binding().source(slot, &self.context);
+            self.context.state.name(self.types, source?.0)
         });
         match name {
             Some(name) => name.write(self.out),

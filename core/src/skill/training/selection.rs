@@ -1,69 +1,58 @@
-//! Which settings a skill is tried in.
+//! Which situations a skill is tried in: those that differ.
 
-use super::Skill;
-use super::training::TrainingMemory;
+use super::candidates::Candidate;
+use super::memory::TrainingMemory;
 use crate::domain::{Node, PointSet, Scene};
 use crate::error::Error;
 use crate::grammar::Features;
 use crate::real::Real;
 use crate::region::Theta;
+use crate::skill::skills::Skill;
+use crate::skill::tuning::COMPLEXITY;
+use crate::table::swap_rows;
 
-/// The most complex features that count.
-const COMPLEXITY: usize = 2;
-
-/// Moves those to the front, of `count` instances with proposals, that differ most: each
-/// time the one that does so most from those before it. In every feature of the grammar
-/// it is as far as the nearest of them, in units of what all instances range over, and
-/// these distances are summed. `swap` swaps what else belongs to two instances.
+/// Moves those candidates to the front, `wanted` of `count`, that differ most: each time
+/// the one that does so most from those before it (farthest-first traversal, Gonzalez
+/// 1985). In every feature of the grammar it is as far as the nearest of them, in units of
+/// what all instances range over, and these distances are summed.
 ///
 /// A rare relation that stands out, such as an obstacle closer to the target than any
-/// other, is then among a dozen settings. At random it would hardly be, and what is never
+/// other, is then among a dozen situations. At random it would hardly be, and what is never
 /// tried is never learned. What lies within the usual range of every feature is not
 /// chosen more often than at random.
-pub(super) fn spread<'m>(
+///
+/// # Errors
+/// [`Error::CapacityExceeded`] if the features of so many instances find no room in the
+/// memory of the learner.
+pub(super) fn select_differing(
     skill: &Skill,
-    memory: &mut TrainingMemory<'m>,
+    memory: &mut TrainingMemory<'_>,
     count: usize,
     wanted: usize,
-    swap: impl Fn(&mut TrainingMemory<'m>, usize, usize),
 ) -> Result<(), Error> {
+    let mut selection = Selection::new(skill, memory, wanted)?;
+    selection.survey(count)?;
     for chosen in 0..wanted.min(count) {
-        let mut spread = Spread::new(skill, memory, wanted)?;
-        if chosen == 0 {
-            spread.survey(count)?;
-        }
-        let best = spread.best(chosen, count)?;
-        spread.keep(best, chosen)?;
-        if best != chosen {
-            swap_rows(memory.instances, skill.binding.len(), chosen, best);
-            swap_rows(memory.proposals, 1, chosen, best);
-            swap(memory, chosen, best);
-        }
+        let best = selection.best(chosen, count)?;
+        selection.keep(best, chosen)?;
+        selection.swap(chosen, best);
     }
     Ok(())
 }
 
-/// Swaps two rows of a table, the first of which comes first.
-pub(super) fn swap_rows<T>(table: &mut [T], length: usize, first: usize, second: usize) {
-    let Some((before, after)) = table.split_at_mut_checked(second * length) else {
-        return;
-    };
-    let first = before.iter_mut().skip(first * length).take(length);
-    first.zip(after).for_each(|(a, b)| core::mem::swap(a, b));
-}
-
-/// Features of the instances, and what is remembered of them.
-struct Spread<'s> {
+/// Candidates with the features of their instances, and what is remembered of them.
+struct Selection<'s> {
     skill: &'s Skill,
-    instances: &'s [f64],
-    proposals: &'s [Theta],
+    candidates: &'s mut [Candidate],
+    proposals: &'s mut [Theta],
+    instances: &'s mut [f64],
     features: Features<'s, f64>,
     /// The lowest value of each feature over all instances, the highest one, and then
     /// the values of each chosen instance.
     rows: &'s mut [f64],
 }
 
-impl<'s> Spread<'s> {
+impl<'s> Selection<'s> {
     fn new(
         skill: &'s Skill,
         memory: &'s mut TrainingMemory<'_>,
@@ -72,23 +61,31 @@ impl<'s> Spread<'s> {
         const FULL: Error = Error::CapacityExceeded("features of training instances");
         let learner = &mut memory.learner;
         let (nodes, values) = (&mut *learner.features, &mut *learner.lhs_values);
-        let features = Features::enumerate_up_to(&skill.domain, COMPLEXITY, nodes, values)?;
+        let features = Features::enumerate_up_to(skill.domain(), COMPLEXITY, nodes, values)?;
         let rows = learner.rhs_values.get_mut(..(wanted + 2) * features.len());
-        Ok(Spread {
+        Ok(Selection {
             skill,
-            instances: memory.instances,
+            candidates: memory.candidates,
             proposals: memory.proposals,
+            instances: memory.instances,
             features,
             rows: rows.ok_or(FULL)?,
         })
     }
 
+    /// Swaps two candidates, with their instances and proposals.
+    fn swap(&mut self, first: usize, second: usize) {
+        swap_rows(self.candidates, 1, first, second);
+        swap_rows(self.proposals, 1, first, second);
+        swap_rows(self.instances, self.skill.binding().len(), first, second);
+    }
+
     /// Computes the features of an instance.
     fn evaluate(&mut self, index: usize) -> Result<(), Error> {
         const NONE: Error = Error::InvalidArgument("there is no such instance");
-        let length = self.skill.binding.len();
+        let length = self.skill.binding().len();
         let instance = self.instances.get(index * length..(index + 1) * length);
-        let (domain, theta) = (&self.skill.domain, self.proposals.get(index).ok_or(NONE)?);
+        let (domain, theta) = (self.skill.domain(), self.proposals.get(index).ok_or(NONE)?);
         let scene = Scene::<f64>::new(domain, instance.ok_or(NONE)?, PointSet::all(domain))?;
         self.features.evaluate(&scene, theta);
         Ok(())

@@ -1,27 +1,39 @@
-//! The regions of a step and of the steps after it.
+//! The joint region of later steps: what is good for a step and for those after it.
 
-use super::Skill;
 use crate::error::Error;
 use crate::region::{Intersection, Part, Region, Theta};
+use crate::skill::skills::Skill;
 use crate::table::gather;
 use crate::task::MAX_STATE_VALUES;
 use heapless::Vec;
 use rand_core::Rng;
 
 /// Regions that are intersected at most: later steps beyond do not narrow a draw.
-pub(super) const MAX_PARTS: usize = 16;
+const MAX_REGIONS: usize = 16;
 /// Numbers that their instances have at most, together.
 const MAX_NUMBERS: usize = 4 * MAX_STATE_VALUES;
 
-/// The instances of regions that are to be intersected.
+/// The regions of a step, and those on its parameters of the steps that come later, each
+/// with the instance that it is grounded in (sequential feasibility, thesis 7.2): what
+/// they have in common is good for all of these steps.
 #[derive(Default)]
-pub(super) struct Tail<'s> {
+pub(super) struct JointRegion<'s> {
+    /// The instances, one behind the other.
     numbers: Vec<f64, MAX_NUMBERS>,
-    /// Each with where its numbers end, and the step that it is about.
-    pub(super) skills: Vec<(&'s Skill, usize, usize), MAX_PARTS>,
+    regions: Vec<StepRegion<'s>, MAX_REGIONS>,
 }
 
-impl<'s> Tail<'s> {
+/// One of the regions.
+pub(super) struct StepRegion<'s> {
+    /// The skill that it is of.
+    pub(super) skill: &'s Skill,
+    /// Where the numbers of its instance end.
+    end: usize,
+    /// The later step that it makes possible; zero if it is of the first step alone.
+    pub(super) step: usize,
+}
+
+impl<'s> JointRegion<'s> {
     /// Adds a region in the instance that `fill` makes, unless it is there.
     pub(super) fn add(
         &mut self,
@@ -30,14 +42,14 @@ impl<'s> Tail<'s> {
         fill: impl FnOnce(&mut [f64]) -> Result<(), Error>,
     ) {
         let start = self.numbers.len();
-        let end = start + skill.binding.len();
+        let end = start + skill.binding().len();
         let kept = self.numbers.resize_default(end).is_ok()
             && self
                 .numbers
                 .get_mut(start..)
                 .is_some_and(|own| fill(own).is_ok())
             && !self.has(skill, start)
-            && self.skills.push((skill, end, step)).is_ok();
+            && self.regions.push(StepRegion { skill, end, step }).is_ok();
         if !kept {
             self.numbers.truncate(start);
         }
@@ -46,19 +58,24 @@ impl<'s> Tail<'s> {
     /// Whether a region is there in the instance of the last numbers.
     fn has(&self, skill: &Skill, start: usize) -> bool {
         let new = self.numbers.get(start..).unwrap_or_default();
-        self.parts().zip(&self.skills).any(|(part, (other, ..))| {
+        self.parts().zip(&self.regions).any(|(part, other)| {
             let mut pairs = part.instance.iter().zip(new);
-            core::ptr::eq(*other, skill) && pairs.all(|(a, b)| a.to_bits() == b.to_bits())
+            core::ptr::eq(other.skill, skill) && pairs.all(|(a, b)| a.to_bits() == b.to_bits())
         })
     }
 
-    pub(super) fn parts(&self) -> impl Iterator<Item = Part<'_>> + Clone {
-        let starts = core::iter::once(0).chain(self.skills.iter().map(|(_, end, _)| *end));
-        let skills = self.skills.iter().zip(starts);
-        skills.filter_map(|((skill, end, _), start)| {
+    /// The regions.
+    pub(super) fn regions(&self) -> &[StepRegion<'s>] {
+        &self.regions
+    }
+
+    fn parts(&self) -> impl Iterator<Item = Part<'_>> + Clone {
+        let starts = core::iter::once(0).chain(self.regions.iter().map(|region| region.end));
+        let regions = self.regions.iter().zip(starts);
+        regions.filter_map(|(StepRegion { skill, end, .. }, start)| {
             Some(Part {
-                region: skill.region.as_ref()?,
-                domain: &skill.domain,
+                region: skill.region()?,
+                domain: skill.domain(),
                 instance: self.numbers.get(start..*end)?,
             })
         })
@@ -66,16 +83,27 @@ impl<'s> Tail<'s> {
 
     /// How many parameters the regions are about.
     pub(super) fn parameters(&self) -> usize {
-        let counts = self
-            .skills
-            .iter()
-            .map(|(skill, ..)| skill.domain.parameters().len());
+        let skills = self.regions.iter().map(|region| region.skill);
+        let counts = skills.map(|skill| skill.domain().parameters().len());
         counts.max().unwrap_or(0)
     }
 
-    /// Whether it is proven that the first regions have nothing in common.
-    pub(super) fn are_apart(&self, count: usize) -> Result<bool, Error> {
-        are_apart(self.parts().take(count))
+    /// Whether it is proven that the regions have nothing in common.
+    pub(super) fn is_proven_empty(&self) -> Result<bool, Error> {
+        are_apart(self.parts())
+    }
+
+    /// The first step with which it is proven that the regions have nothing in common;
+    /// the last one if that is not proven.
+    pub(super) fn blocking_step(&self) -> Result<usize, Error> {
+        let mut step = 0;
+        for (count, region) in (1..).zip(&self.regions) {
+            step = region.step;
+            if are_apart(self.parts().take(count))? {
+                break;
+            }
+        }
+        Ok(step)
     }
 
     /// Draws parameters that all regions admit; see [`Intersection::sample_inside`].
@@ -106,7 +134,7 @@ impl<'s> Tail<'s> {
     }
 }
 
-type Parts<'p> = Vec<Part<'p>, MAX_PARTS>;
+type Parts<'p> = Vec<Part<'p>, MAX_REGIONS>;
 
 /// Regions of states, which hold or do not, and those of parameters.
 fn split<'p>(parts: impl Iterator<Item = Part<'p>> + Clone) -> (Parts<'p>, Parts<'p>) {
