@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 27] = [
+const SOURCES: [&str; 28] = [
     "boundary/status.rs",
     "boundary/limits.rs",
     "boundary/precision.rs",
@@ -13,6 +13,7 @@ const SOURCES: [&str; 27] = [
     "learner/config.rs",
     "learner/handle.rs",
     "learner/making.rs",
+    "learner/outcome.rs",
     "learner/learning.rs",
     "learner/inspection.rs",
     "learner/saving.rs",
