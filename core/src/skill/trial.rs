@@ -35,7 +35,7 @@ impl GroundOperator {
         let drawn = completed(environment, self, state, &[], rng);
         let mut theta = [0.0; MAX_PARAMETERS];
         for (value, drawn) in theta.iter_mut().zip(&drawn) {
-            *value = f64::from(*drawn);
+            *value = *drawn;
         }
         theta
     }
@@ -166,7 +166,7 @@ pub(super) fn completed<E: Describe, R: rand_core::Rng>(
     let objects = ground.objects.as_slice();
     let mut parameters = environment.sample(ground.operator, state, objects, rng);
     for (value, given) in parameters.iter_mut().zip(first) {
-        *value = *given as f32;
+        *value = *given;
     }
     parameters
 }
