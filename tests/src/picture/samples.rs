@@ -4,7 +4,7 @@
 use crate::pick::ENVIRONMENT;
 use crate::plan::record;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn};
-use crate::plan::{Grounding, Room};
+use crate::plan::{Grounding, Room, plan};
 use critreg::Error;
 use critreg::plan::{Conclusion, Planned, Unguided};
 use critreg::skill::{Informed, Training};
@@ -83,10 +83,16 @@ pub fn measure() -> Measured {
         let initial = &run.task.initial;
         let numbers = || generators[run.planner_seed as usize].clone();
         let unguided = (grounding.simulated(), Unguided);
-        let planned = grounding.plan(initial, unguided, numbers, &mut room);
+        let planned = plan(&grounding, initial, unguided, numbers, &mut room);
         original.push(Cost::of(planned));
         let informed = Informed::new(&ENVIRONMENT, &skills, initial);
-        let planned = grounding.plan(initial, (informed, informed), numbers, &mut room);
+        let planned = plan(
+            &grounding,
+            initial,
+            (informed, informed),
+            numbers,
+            &mut room,
+        );
         learned.push(Cost::of(planned));
     }
     Measured {
