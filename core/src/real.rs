@@ -41,6 +41,8 @@ pub trait Real:
     const ONE: Self;
     /// Positive infinity.
     const INFINITY: Self;
+    /// Negative infinity.
+    const NEG_INFINITY: Self;
     /// Not a number.
     const NAN: Self;
     /// The distance from one to the next larger number.
@@ -92,6 +94,7 @@ impl Real for f64 {
     const ZERO: f64 = 0.0;
     const ONE: f64 = 1.0;
     const INFINITY: f64 = f64::INFINITY;
+    const NEG_INFINITY: f64 = f64::NEG_INFINITY;
     const NAN: f64 = f64::NAN;
     const EPSILON: f64 = f64::EPSILON;
     const SQRT_EPSILON: f64 = 1.0 / 67_108_864.0;
@@ -130,6 +133,7 @@ impl Real for f32 {
     const ZERO: f32 = 0.0;
     const ONE: f32 = 1.0;
     const INFINITY: f32 = f32::INFINITY;
+    const NEG_INFINITY: f32 = f32::NEG_INFINITY;
     const NAN: f32 = f32::NAN;
     const EPSILON: f32 = f32::EPSILON;
     const SQRT_EPSILON: f32 = 3.452_669_8e-4;
@@ -213,6 +217,7 @@ mod fast {
         const ZERO: Fast32 = Fast32(0.0);
         const ONE: Fast32 = Fast32(1.0);
         const INFINITY: Fast32 = Fast32(f32::INFINITY);
+        const NEG_INFINITY: Fast32 = Fast32(f32::NEG_INFINITY);
         const NAN: Fast32 = Fast32(f32::NAN);
         const EPSILON: Fast32 = Fast32(f32::EPSILON);
         const SQRT_EPSILON: Fast32 = Fast32(<f32 as Real>::SQRT_EPSILON);

@@ -7,6 +7,7 @@
 //! size only it knows, which `heapless` cannot express without unsafe code.
 
 use crate::error::Error;
+use crate::real::Real;
 use heapless::{Vec, VecView};
 
 /// Brings the last item to a place, the items from there on moving up by one: an
@@ -42,6 +43,48 @@ pub(crate) fn gather<T, const N: usize>(items: impl IntoIterator<Item = T>) -> V
         }
     }
     all
+}
+
+/// Swaps two rows of so many items each, if both are there.
+pub(crate) fn swap_rows<T>(items: &mut [T], length: usize, first: usize, second: usize) {
+    let (first, second) = (first.min(second), first.max(second));
+    let Some((before, after)) = items.split_at_mut_checked(second * length) else {
+        return;
+    };
+    let first = before.iter_mut().skip(first * length).take(length);
+    first.zip(after).for_each(|(a, b)| core::mem::swap(a, b));
+}
+
+/// What the entries of a lent table hold before anything is kept there.
+pub trait Blank {
+    /// Such an entry.
+    const BLANK: Self;
+}
+
+impl<R: Real> Blank for R {
+    const BLANK: R = R::ZERO;
+}
+
+impl Blank for u8 {
+    const BLANK: u8 = 0;
+}
+
+impl Blank for u16 {
+    const BLANK: u16 = 0;
+}
+
+impl Blank for u64 {
+    const BLANK: u64 = 0;
+}
+
+/// As much of a lent table as is needed.
+///
+/// # Errors
+/// [`Error::InvalidArgument`] if it is shorter.
+pub(crate) fn cut<T>(table: &mut [T], length: usize) -> Result<&mut [T], Error> {
+    table.get_mut(..length).ok_or(Error::InvalidArgument(
+        "the learner needs more memory for this capacity",
+    ))
 }
 
 /// A vector over a borrowed slice; pushing to a full one is an error.

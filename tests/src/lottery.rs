@@ -83,9 +83,9 @@ static OPERATORS: [Operator<'static>; 1] = [Operator {
 
 /// A text with which much could be said, if there were anything to say.
 static DESCRIPTIONS: [Description; 1] = [Description {
-    own: DRAW,
+    controller: DRAW,
     later: None,
-    among: &[],
+    members: &[],
     text: "
         object lot { x: length, y: length }
         object urn { x: length, y: length }
@@ -136,9 +136,7 @@ impl Environment for Lottery {
 }
 
 impl Describe for Lottery {
-    fn descriptions(&self) -> &'static [Description] {
-        &DESCRIPTIONS
-    }
+    const DESCRIPTIONS: &'static [Description] = &DESCRIPTIONS;
 }
 
 /// A number in [0, 1) that depends on every bit, and on none in a way that can be told:

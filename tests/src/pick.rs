@@ -3,10 +3,11 @@
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::env::stick_button::{ROBOT, STICK, StickButton};
-use critreg::learn::{Algorithm1, Config, Learner, Outcome, Problem, learn_region};
+use critreg::learn::algorithm1::Config;
+use critreg::learn::{Algorithm1, Learner, Outcome, Problem, learn_region};
 use critreg::random::generator;
 use critreg::region::Theta;
-use critreg::skill::Scope;
+use critreg::skill::Context;
 use critreg::task::State;
 
 use crate::room::Algorithm1Room;
@@ -67,12 +68,12 @@ pub fn run<L: Learner>(learner: &mut L, problem: &Problem<'_>) -> Result<(), Err
 }
 
 /// Who fills the roles of PickStick in a state.
-pub fn scope(state: &State) -> Scope<'_, StickButton> {
-    Scope {
+pub fn context(state: &State) -> Context<'_, StickButton> {
+    Context {
         environment: &ENVIRONMENT,
         state,
-        own: &[ROBOT, STICK],
-        later: &[],
-        among: &[],
+        objects: &[ROBOT, STICK],
+        later_objects: &[],
+        members: &[],
     }
 }

@@ -7,7 +7,7 @@ use critreg::learn::version_space::{Capacity, Config, VersionSpace};
 use critreg::learn::{Problem, learn_region};
 use critreg::plan::{Conclusion, Planner};
 use critreg::random::generator;
-use critreg::skill::{Describe, Informed, Training};
+use critreg::skill::{Describe, RegionGuide, RegionSampler, Training};
 use critreg::text::TextBuffer;
 use critreg_tests::pick::{ENVIRONMENT, instances};
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, tasks};
@@ -94,20 +94,20 @@ fn learning_and_drawing() {
 fn learning_skills_and_planning_with_them() {
     let training = Training::default();
     let training_tasks = tasks(1, 1..=2, training.states);
-    let (mut room, mut planner_room) = (TrainingRoom::new(&training), Room::new(10_000));
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let (mut room, mut planner_room) = (TrainingRoom::new(training), Room::new(10_000));
+    let mut skill_room = SkillRoom::default();
     let task = tasks(2, 2..=2, 1).remove(0);
     let (calls, conclusion) = calls(|| -> Result<Conclusion, critreg::Error> {
-        let mut skills = skill_room.lend(&ENVIRONMENT);
-        for index in 0..ENVIRONMENT.descriptions().len() {
-            skills.learn(index, &ENVIRONMENT, &training_tasks, &training, room.lend())?;
+        let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
+        let mut trainer = room.trainer(&ENVIRONMENT, 0);
+        for index in 0..StickButton::DESCRIPTIONS.len() {
+            trainer.learn(&mut skills, index, &training_tasks)?;
         }
         let grounding = Grounding::new(&ENVIRONMENT, &task)?;
-        let mut informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
         let mut planner = Planner {
             world: &mut grounding.simulated(),
-            sampler: &mut informed.clone(),
-            guide: &mut informed,
+            sampler: &mut RegionSampler::new(&ENVIRONMENT, &skills),
+            guide: &mut RegionGuide::new(&ENVIRONMENT, &skills, &task.initial),
             config: critreg::plan::Config::default(),
         };
         let (lots, samples) = (generator(1), || generator(1));

@@ -6,123 +6,11 @@
 //! are there: "the nearest obstacle is at least 0.2 away" holds for all of them,
 //! however many there are, and so one region serves every instance.
 
-use super::expression::{Coordinate, Metric, Node};
-use super::schema::{Domain, Object};
-use crate::real::Real;
-
-/// Most groups in a domain.
-pub const MAX_GROUPS: usize = 8;
-
-/// Objects of one type under one name. Members stand one behind the other, among
-/// the objects, in an instance, and in each kind of point that they have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Group {
-    /// Index of the first member among the objects.
-    pub first_object: u8,
-    /// How many members there can be.
-    pub count: u8,
-}
-
-/// To which group an object or point belongs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Member {
-    /// Index of the group.
-    pub group: u8,
-    /// Which of its members, from 0.
-    pub index: u8,
-}
-
-/// Which of several values counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extreme {
-    /// `min(...)`
-    Least,
-    /// `max(...)`
-    Greatest,
-}
-
-impl Extreme {
-    /// Both, in the order of the grammar.
-    pub const ALL: [Extreme; 2] = [Extreme::Least, Extreme::Greatest];
-
-    /// Its name in the texts.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Extreme::Least => "min",
-            Extreme::Greatest => "max",
-        }
-    }
-
-    /// The one with this name.
-    pub fn from_name(name: &str) -> Option<Extreme> {
-        Extreme::ALL.into_iter().find(|e| e.name() == name)
-    }
-
-    /// The one of two values that counts.
-    pub fn of<R: Real>(self, a: R, b: R) -> R {
-        match self {
-            Extreme::Least => a.min(b),
-            Extreme::Greatest => a.max(b),
-        }
-    }
-
-    /// The value over nothing: infinite, so that "at least" of a least value and
-    /// "at most" of a greatest one hold.
-    pub fn of_nothing<R: Real>(self) -> R {
-        match self {
-            Extreme::Least => R::INFINITY,
-            Extreme::Greatest => -R::INFINITY,
-        }
-    }
-}
-
-/// A term about the members of one group, of which the extreme is taken. It names
-/// the first member, which stands for each of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
-    /// As [`Node::Attribute`].
-    Attribute(u8),
-    /// As [`Node::Coordinate`].
-    Coordinate(Coordinate, u8),
-    /// As [`Node::Distance`].
-    Distance(Metric, u8, u8),
-    /// As [`Node::Angle`].
-    Angle(u8, u8),
-    /// As [`Node::VertexAngle`].
-    VertexAngle(u8, u8, u8),
-}
-
-impl Relation {
-    /// The relation that is this term; `None` for any other term.
-    pub fn of(term: Node) -> Option<Relation> {
-        match term {
-            Node::Attribute(slot) => Some(Relation::Attribute(slot)),
-            Node::Coordinate(coordinate, point) => Some(Relation::Coordinate(coordinate, point)),
-            Node::Distance(metric, a, b) => Some(Relation::Distance(metric, a, b)),
-            Node::Angle(a, b) => Some(Relation::Angle(a, b)),
-            Node::VertexAngle(a, b, c) => Some(Relation::VertexAngle(a, b, c)),
-            _ => None,
-        }
-    }
-
-    /// The term about the first member.
-    pub fn term(self) -> Node {
-        match self {
-            Relation::Attribute(slot) => Node::Attribute(slot),
-            Relation::Coordinate(coordinate, point) => Node::Coordinate(coordinate, point),
-            Relation::Distance(metric, a, b) => Node::Distance(metric, a, b),
-            Relation::Angle(a, b) => Node::Angle(a, b),
-            Relation::VertexAngle(a, b, c) => Node::VertexAngle(a, b, c),
-        }
-    }
-}
+use super::declarations::{Member, Object};
+use super::node::{Node, NodeId, Quantity, TermError, intern, node_at};
+use super::schema::Domain;
 
 impl<'t> Domain<'t> {
-    /// The groups in order of declaration.
-    pub fn groups(&self) -> &[Group] {
-        &self.groups
-    }
-
     /// The members of a group; none for an index that is none.
     pub fn members(&self, group: u8) -> &[Object<'t>] {
         let group = self.groups.get(usize::from(group));
@@ -133,12 +21,11 @@ impl<'t> Domain<'t> {
         range.and_then(|r| self.objects.get(r)).unwrap_or(&[])
     }
 
-    /// The members that a term is about, apart from those that an extreme is taken
-    /// of: none, one, or those of several points.
-    pub(crate) fn members_in(&self, term: Node) -> [Option<Member>; 3] {
-        match term {
-            Node::Attribute(slot) => [self.owner(slot).and_then(|o| o.member), None, None],
-            other => other.points().map(|point| self.point_member(point?)),
+    /// The members that a quantity is about: none, one, or those of several points.
+    pub(crate) fn members_in(&self, quantity: Quantity) -> [Option<Member>; 3] {
+        match quantity.slot() {
+            Some(slot) => [self.owner(slot).and_then(|o| o.member), None, None],
+            None => quantity.points().map(|point| self.point_member(point?)),
         }
     }
 
@@ -146,29 +33,64 @@ impl<'t> Domain<'t> {
         self.points.get(usize::from(point))?.member
     }
 
-    /// What a relation is for each member of its group, with that member.
-    pub(crate) fn terms(&self, relation: Relation) -> impl Iterator<Item = (&Object<'t>, Node)> {
-        let term = relation.term();
-        let group = self.members_in(term).into_iter().flatten().next();
+    /// What a quantity of a group is for each member, with that member.
+    pub(super) fn of_members(
+        &self,
+        quantity: Quantity,
+    ) -> impl Iterator<Item = (&Object<'t>, Quantity)> {
+        let group = self.members_in(quantity).into_iter().flatten().next();
         let members = group.map_or(&[][..], |first| self.members(first.group));
-        let terms = (0u8..).map(move |index| self.for_member(term, index));
-        members.iter().zip(terms)
+        let quantities = (0u8..).map(move |index| self.of_member(quantity, index));
+        members.iter().zip(quantities)
     }
 
-    /// What a term about the first member of a group is for another member.
-    pub(super) fn for_member(&self, term: Node, index: u8) -> Node {
-        let point = |p: u8| match self.point_member(p) {
-            Some(_) => p.saturating_add(index),
-            None => p,
-        };
+    /// Visits the quantities that a term looks up: the one that it is, or those of all
+    /// members of which it is the extreme.
+    pub(super) fn quantities(&self, term: Node, visit: &mut dyn FnMut(Quantity)) {
         match term {
-            Node::Attribute(slot) => Node::Attribute(self.slot_of_member(slot, index)),
-            Node::Coordinate(coordinate, p) => Node::Coordinate(coordinate, point(p)),
-            Node::Distance(metric, a, b) => Node::Distance(metric, point(a), point(b)),
-            Node::Angle(a, b) => Node::Angle(point(a), point(b)),
-            Node::VertexAngle(a, b, c) => Node::VertexAngle(point(a), point(b), point(c)),
-            other => other,
+            Node::Quantity(quantity) => visit(quantity),
+            Node::Extreme(_, quantity) => {
+                for (_, own) in self.of_members(quantity) {
+                    visit(own);
+                }
+            }
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Area(_)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => {}
         }
+    }
+
+    /// What a quantity of the first member of a group is for another member.
+    pub(super) fn of_member(&self, quantity: Quantity, index: u8) -> Quantity {
+        match quantity.slot() {
+            Some(slot) => Quantity::Attribute(self.slot_of_member(slot, index)),
+            None => quantity.with_points(quantity.points().map(|point| {
+                let point = point.unwrap_or_default();
+                match self.point_member(point) {
+                    Some(_) => point.saturating_add(index),
+                    None => point,
+                }
+            })),
+        }
+    }
+
+    /// What a term about the first member of a group is for another member; it is added
+    /// to those of the domain.
+    pub(super) fn term_of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, TermError> {
+        let node = node_at(&self.nodes, id)?;
+        let term = match (node.operands(), node.quantity()) {
+            (Some((a, b, make)), _) => make(
+                self.term_of_member(a, index)?,
+                self.term_of_member(b, index)?,
+            ),
+            (None, Some(quantity)) => Node::Quantity(self.of_member(quantity, index)),
+            (None, None) => node,
+        };
+        intern(&mut self.nodes, term)
     }
 
     fn slot_of_member(&self, slot: u8, index: u8) -> u8 {
@@ -178,19 +100,5 @@ impl<'t> Domain<'t> {
         let stride = self.attributes_of(first.type_index).len();
         let moved = usize::from(slot) + stride * usize::from(index);
         u8::try_from(moved).unwrap_or(slot)
-    }
-
-    /// The object to which a number of an instance belongs.
-    pub(super) fn owner(&self, slot: u8) -> Option<&Object<'t>> {
-        self.objects.iter().rfind(|o| o.first_slot <= slot)
-    }
-}
-
-impl Object<'_> {
-    /// Whether an instance has it: a member of a group that is absent has NaN for
-    /// each of its numbers.
-    pub(super) fn is_present(&self, instance: &[f64]) -> bool {
-        let first = instance.get(usize::from(self.first_slot));
-        self.member.is_none() || first.is_some_and(|number| !number.is_nan())
     }
 }

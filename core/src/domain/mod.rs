@@ -70,28 +70,32 @@
 //! that "at least" and "at most" hold of nothing.
 
 mod algebra;
+mod declarations;
 mod description;
 mod dimension;
 mod expression;
 mod group;
+mod instance;
+mod node;
 mod point_set;
 mod sample;
 mod scene;
 mod schema;
 mod turns;
 
-pub(crate) use description::CHECKSUM;
-pub(crate) use expression::{TermError, copy, intern, is_same};
+pub(crate) use node::{TermError, copy, intern, is_same};
 
 pub use algebra::{Algebra, Arithmetic, Curve, Line, Measure, Range};
+pub use declarations::{
+    Attribute, Base, Constant, Group, Member, Object, Parameter, Point, Shape, Type,
+};
 pub use dimension::Dimension;
-pub use expression::{Coordinate, Dependence, MAX_DEPTH, Metric, Node, NodeId};
-pub use group::{Extreme, Group, MAX_GROUPS, Member, Relation};
+pub use expression::{Dependence, MAX_DEPTH};
+pub use node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};
 pub use schema::{
-    Attribute, Base, Constant, Domain, MAX_ATTRIBUTES, MAX_CONSTANTS, MAX_DOMAIN_NODES,
-    MAX_OBJECTS, MAX_PARAMETERS, MAX_POINTS, MAX_SHAPES, MAX_TYPES, Object, Parameter, Point,
-    Shape, Type,
+    Domain, MAX_ATTRIBUTES, MAX_CONSTANTS, MAX_DOMAIN_NODES, MAX_GROUPS, MAX_OBJECTS,
+    MAX_PARAMETERS, MAX_POINTS, MAX_SHAPES, MAX_TYPES,
 };

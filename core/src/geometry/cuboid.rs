@@ -1,7 +1,8 @@
 //! Boxes in space, and whether two of them meet.
 
-use super::frame3::{add, dot};
-use super::{Frame3, Intersects, Vector3};
+use super::frame3::Frame3;
+use super::intersect::Intersects;
+use super::vector::{Vector3, add, cross, dot};
 use crate::real::Real;
 
 /// A box in space: it extends from the origin of a frame by half its size in both
@@ -96,8 +97,4 @@ impl<R: Real> Intersects<Cuboid<R>> for Cuboid<R> {
         let mut across = across().filter(|axis| dot(*axis, *axis) > R::EPSILON);
         !own.into_iter().chain(others).any(keeps_apart) && !across.any(keeps_apart)
     }
-}
-
-fn cross<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> Vector3<R> {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
 }

@@ -1,6 +1,6 @@
 //! Frames of the plane (thesis 2.1, Eq 2.1 to 2.5).
 
-use super::Vector2;
+use super::vector::{Vector2, between};
 use crate::real::Real;
 
 /// A frame of reference in the plane: where its origin lies in the parent frame,
@@ -64,7 +64,7 @@ impl<R: Real> Frame2<R> {
 
     /// A point of the parent frame in this frame: the inverse of [`Self::apply`].
     pub fn to_local(&self, point: Vector2<R>) -> Vector2<R> {
-        let [x, y] = super::between(self.origin, point);
+        let [x, y] = between(self.origin, point);
         [x * self.cos + y * self.sin, y * self.cos - x * self.sin]
     }
 

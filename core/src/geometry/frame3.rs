@@ -1,7 +1,7 @@
 //! Frames of space (thesis 2.1, Eq 2.6 to 2.11).
 
-use super::Vector3;
 use super::rotation::{Rotation, product, transpose};
+use super::vector::{Vector3, add, dot};
 use crate::real::Real;
 
 /// A frame of reference in space: where its origin lies in the parent frame, and
@@ -119,12 +119,4 @@ impl<R: Real> Frame3<R> {
         let (o, one) = (R::ZERO, R::ONE);
         [[a, b, c, x], [d, e, f, y], [g, h, i, z], [o, o, o, one]]
     }
-}
-
-pub(super) fn add<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> Vector3<R> {
-    [a + x, b + y, c + z]
-}
-
-pub(super) fn dot<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> R {
-    a * x + b * y + c * z
 }

@@ -5,7 +5,8 @@
 //! rim or a side count as inside (closed). Each of them begins with the circles
 //! around the shapes, which settles most pairs without a look at any side.
 
-use super::{Circle, Rectangle, Segment, Vector2, between, distance, distance_squared};
+use super::shape::{Circle, Rectangle, Segment};
+use super::vector::{Vector2, between, distance, distance_squared};
 use crate::real::Real;
 
 /// How far, in length units, the foot of a perpendicular may miss a segment by

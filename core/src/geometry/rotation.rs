@@ -1,7 +1,6 @@
 //! Rotations of space, in as few numbers as they need.
 
-use super::Vector3;
-use super::frame3::dot;
+use super::vector::{Vector3, dot};
 use crate::real::Real;
 
 /// A rotation. Most are about the z axis, or none at all.

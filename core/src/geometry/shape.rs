@@ -1,6 +1,7 @@
 //! Shapes of the plane.
 
-use super::{Frame2, Vector2, distance_squared};
+use super::frame2::Frame2;
+use super::vector::{Vector2, between, distance_squared};
 use crate::real::Real;
 
 /// A disc.
@@ -33,8 +34,8 @@ impl<R: Real> Segment<R> {
     /// segment, which may lie beyond its ends. NaN if both ends are one point.
     pub fn foot(&self, point: Vector2<R>) -> Vector2<R> {
         let [x, y] = self.start;
-        let [dx, dy] = super::between(self.start, self.end);
-        let [px, py] = super::between(self.start, point);
+        let [dx, dy] = between(self.start, self.end);
+        let [px, py] = between(self.start, point);
         let along = (px * dx + py * dy) / (dx * dx + dy * dy);
         [x + dx * along, y + dy * along]
     }

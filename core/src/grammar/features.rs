@@ -17,7 +17,6 @@
 //! features are left sides. Scaled and summed left sides are left out: scaling a right side
 //! says the same.
 
-use super::hypotheses::feature_id;
 use super::leaves::{Visit, attributes, coordinates, relations};
 use crate::domain::{Dimension, Domain, Node, NodeId, Sample, Scene};
 use crate::error::Error;
@@ -31,6 +30,11 @@ pub const FACTORS: [f64; 5] = [0.25, 0.5, 0.75, 1.25, 1.5];
 pub const MAX_COMPLEXITY: usize = 4;
 
 const DIMENSIONS: usize = Dimension::ALL.len();
+
+/// The term of a feature.
+pub(crate) fn feature_id(index: usize) -> NodeId {
+    NodeId(u16::try_from(index).unwrap_or(u16::MAX))
+}
 
 /// Features of one complexity and dimension, which stand together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -8,7 +8,7 @@
 //! a linear sweep over numbers and bytes that the compiler turns into vector
 //! instructions.
 
-use super::features::{Features, MAX_COMPLEXITY};
+use super::features::{Features, MAX_COMPLEXITY, feature_id};
 use super::formula::Comparison;
 use crate::domain::{Dimension, NodeId};
 use crate::real::Real;
@@ -174,11 +174,6 @@ impl<'m> Hypotheses<'m> {
             }
         }
     }
-}
-
-/// The term of a feature.
-pub(crate) fn feature_id(index: usize) -> NodeId {
-    NodeId(u16::try_from(index).unwrap_or(u16::MAX))
 }
 
 /// The pairs of a table as runs, in order of complexity, cut off at `capacity`.

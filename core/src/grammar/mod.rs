@@ -5,17 +5,16 @@
 //! samples. A [`Formula`] is a statement made of constraints with `and`, `or` and
 //! `not`; it has a text form and is what regions are made of.
 
-mod conjuncts;
 mod features;
 mod formula;
 mod hypotheses;
 mod leaves;
 
-pub use conjuncts::Conjunct;
+pub(crate) use features::feature_id;
 pub use features::{FACTORS, Features, MAX_COMPLEXITY};
 pub use formula::{
-    Comparison, Constraint, Formula, Inequality, MAX_CONSTRAINTS, MAX_FORMULA_NODES,
+    Comparison, Conjunct, Constraint, Formula, Inequality, MAX_CONSTRAINTS, MAX_FORMULA_NODES,
     MAX_FORMULA_STEPS, Step, Truth,
 };
 pub use hypotheses::{Enumeration, Hypotheses, MAX_PAIR_COMPLEXITY};
-pub(crate) use hypotheses::{Run, bit, feature_id};
+pub(crate) use hypotheses::{Run, bit};

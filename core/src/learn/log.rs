@@ -16,6 +16,7 @@ use super::{Learner, Outcome, Query};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
 use crate::region::Theta;
+use crate::table::Blank;
 use crate::wire::{FRAME, Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRLG";
@@ -33,14 +34,12 @@ pub struct Observation {
     pub theta: Theta,
 }
 
-impl Default for Observation {
-    fn default() -> Self {
-        Observation {
-            instance: 0,
-            outcome: Outcome::Unknown,
-            theta: [0.0; MAX_PARAMETERS],
-        }
-    }
+impl Blank for Observation {
+    const BLANK: Self = Observation {
+        instance: 0,
+        outcome: Outcome::Unknown,
+        theta: [0.0; MAX_PARAMETERS],
+    };
 }
 
 impl Observation {

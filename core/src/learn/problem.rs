@@ -1,8 +1,9 @@
 //! What is learned about: a domain and its problem instances.
 
-use crate::domain::{CHECKSUM, Domain};
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::region::Theta;
+use crate::wire::CHECKSUM;
 
 /// A domain and the problem instances P in which samples are tried (thesis 4.3).
 #[derive(Clone, Copy, Debug)]

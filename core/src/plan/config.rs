@@ -1,7 +1,7 @@
 //! How to plan, and how long.
 
 use super::heuristic::Heuristic;
-use super::search::MAX_SKELETON;
+use super::skeleton::MAX_SKELETON;
 
 /// How to plan, and how long. The defaults are those of the Predicators framework,
 /// with about as many samples as it draws in the time that it has.

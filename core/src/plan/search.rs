@@ -5,16 +5,13 @@ use super::guide::{Advice, Guide};
 use super::heuristic::{Estimate, Estimator, HeuristicMemory};
 use super::metrics::Metrics;
 use super::open::{OpenList, Waiting};
-use super::skeleton::Skeleton;
+use super::skeleton::{MAX_SKELETON, Skeleton};
 use super::task::AbstractTask;
 use crate::error::Error;
 use crate::table::Table;
 use crate::task::AtomSet;
 use heapless::Vec;
 use rand_core::Rng;
-
-/// Most operators in a plan skeleton.
-pub const MAX_SKELETON: usize = 128;
 
 /// A sequence of operators: that of another node, and one more.
 #[derive(Clone, Copy, Debug, Default)]

@@ -2,6 +2,9 @@
 
 use crate::task::GroundOperator;
 
+/// Most operators in a plan skeleton.
+pub const MAX_SKELETON: usize = 128;
+
 /// A sequence of ground operators without their continuous parameters: a plan
 /// skeleton, or a prefix of one.
 #[derive(Clone, Copy, Debug)]

@@ -13,7 +13,7 @@
 //! Texts are exact (numbers are written so that they read back to the same bits)
 //! and survive changes of the structures in memory.
 
-use super::Region;
+use super::lifted::Region;
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::text::TextBuffer;

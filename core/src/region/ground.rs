@@ -1,7 +1,7 @@
 //! A region in one problem instance.
 
-use super::Region;
 use super::interval::IntervalSet;
+use super::lifted::Region;
 use super::parameters::{ParameterSet, Vector};
 use super::slice::slice;
 use crate::domain::{Arithmetic, Domain, MAX_PARAMETERS, Parameter, Range, Sample, Scene};
@@ -17,6 +17,36 @@ pub struct Grounded<'a, R> {
     scene: Scene<'a, R>,
     /// What is admitted of the only parameter, if there is only one.
     set: IntervalSet<R>,
+}
+
+impl Region {
+    /// The region in a problem instance: one number per attribute.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] for another domain than the region was made for, and
+    /// those of [`Domain::check_instance`].
+    pub fn ground<'a, R: Real>(
+        &'a self,
+        domain: &'a Domain<'a>,
+        instance: &'a [f64],
+    ) -> Result<Grounded<'a, R>, Error> {
+        Grounded::new(self, domain, instance)
+    }
+
+    /// Whether an action with these parameters is expected to work.
+    ///
+    /// # Errors
+    /// Those of [`Region::ground`] and [`Grounded::contains`].
+    pub fn contains<R: Real>(
+        &self,
+        domain: &Domain<'_>,
+        instance: &[f64],
+        theta: &[f64],
+    ) -> Result<bool, Error> {
+        let mut grounded = Grounded::<R>::blank(self, domain, instance);
+        grounded.settle()?;
+        grounded.contains(theta)
+    }
 }
 
 impl<'a, R: Real> Grounded<'a, R> {
@@ -50,7 +80,7 @@ impl<'a, R: Real> Grounded<'a, R> {
         };
         let ends = [parameter.low, parameter.high].map(R::from_f64);
         let line: [&[R]; 2] = [&[R::ZERO], &[R::ONE]];
-        slice(self.region, &self.scene, line, ends, &mut self.set)
+        slice(&self.region.formula, &self.scene, line, ends, &mut self.set)
     }
 
     fn parameters(&self) -> &'a [Parameter<'a>] {
@@ -134,7 +164,7 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
         set: &mut IntervalSet<R>,
     ) -> Result<(), Error> {
         let line = line.map(Vector::as_slice);
-        slice(self.region, &self.scene, line, ends, set)
+        slice(&self.region.formula, &self.scene, line, ends, set)
     }
 
     fn excludes(&self, low: &Vector<R>, high: &Vector<R>) -> Result<bool, Error> {

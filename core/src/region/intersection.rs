@@ -3,9 +3,9 @@
 
 use super::ground::Grounded;
 use super::interval::IntervalSet;
-use super::parameters::{ParameterSet, Vector};
+use super::lifted::Region;
+use super::parameters::{ParameterSet, Theta, Vector};
 use super::sample::{is_proven_empty, sample};
-use super::{Region, Theta};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::real::Real;

@@ -5,6 +5,10 @@ use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
 use crate::real::Real;
 
+/// Values of the parameters of an action, in order of declaration. Entries
+/// behind the last parameter are zero.
+pub type Theta = [f64; MAX_PARAMETERS];
+
 /// A vector in the space of parameters.
 pub(super) type Vector<R> = [R; MAX_PARAMETERS];
 

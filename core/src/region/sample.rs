@@ -1,11 +1,11 @@
 //! Drawing parameters from a grounded region, or from several at once.
 
-use super::Theta;
 use super::boxes::BoxSearch;
 use super::ground::Grounded;
 use super::interval::IntervalSet;
-use super::parameters::{ParameterSet, Vector, single};
-use crate::domain::MAX_PARAMETERS;
+use super::lifted::Region;
+use super::parameters::{ParameterSet, Theta, Vector, single};
+use crate::domain::{Domain, MAX_PARAMETERS};
 use crate::error::Error;
 use crate::random::uniform_real;
 use crate::real::Real;
@@ -19,6 +19,23 @@ const BOXES: usize = 64;
 const LINES: usize = 8;
 /// Steps of hit-and-run per parameter, from a first admitted point.
 const STEPS_PER_PARAMETER: usize = 12;
+
+impl Region {
+    /// Draws parameters uniformly from the region in an instance.
+    ///
+    /// # Errors
+    /// Those of [`Region::ground`] and [`Grounded::sample`].
+    pub fn sample<R: Real>(
+        &self,
+        domain: &Domain<'_>,
+        instance: &[f64],
+        rng: &mut (impl Rng + ?Sized),
+    ) -> Result<Theta, Error> {
+        let mut grounded = Grounded::<R>::blank(self, domain, instance);
+        grounded.settle()?;
+        grounded.sample(rng)
+    }
+}
 
 impl<R: Real> Grounded<'_, R> {
     /// Draws parameters that the region admits.

@@ -1,6 +1,5 @@
 //! What a region admits along a line of parameters, exactly.
 
-use super::Region;
 use super::gaps::{Along, Gaps};
 use super::interval::{Builder, IntervalSet};
 use crate::domain::{Curve, Line, MAX_PARAMETERS, Node, Sample, Scene};
@@ -20,7 +19,7 @@ const MAX_BREAKS: usize = 2 * MAX_CONSTRAINTS;
 /// ones nothing changes. At a root its own constraint holds if it admits
 /// equality. Where a constraint has no closed form the set is too large.
 pub(super) fn slice<R: Real>(
-    region: &Region,
+    formula: &Formula,
     scene: &Scene<'_, R>,
     [origin, direction]: [&[R]; 2],
     ends: [R; 2],
@@ -39,7 +38,7 @@ pub(super) fn slice<R: Real>(
         theta: &theta,
         sample: &sample,
     };
-    cut(&region.formula, along, ends, set)
+    cut(formula, along, ends, set)
 }
 
 /// Cuts a line at the roots of a formula's constraints. Not inlined: its breaks are not
@@ -142,7 +141,7 @@ impl<R: Real> Cut<R> {
             let value = curve.value(middle(a, b));
             comparison.holds(&value, &R::ZERO)
         };
-        let [a, b] = roots(curve);
+        let [a, b] = curve.roots();
         let [a, b] = if b < a { [b, a] } else { [a, b] };
         let is_root = inside(a);
         let mut end = high;
@@ -179,7 +178,7 @@ impl<R: Real> Cut<R> {
         for curve in gaps.curves() {
             let inside = |t: &R| low <= *t && *t <= end && curve.is_near_zero(*t);
             let equal = |t: &R| inside(t) && gaps.is_near_zero(*t);
-            for at in roots(&curve).into_iter().filter(equal) {
+            for at in curve.roots().into_iter().filter(equal) {
                 let mut known = self.breaks.iter().zip(&self.roots);
                 if !known.any(|(place, root)| root.owner() == owner && *place == at) {
                     self.insert(owner, at, false)?;
@@ -271,47 +270,4 @@ impl<R: Real> Cut<R> {
 
 fn middle<R: Real>(a: R, b: R) -> R {
     a + (b - a) * R::from_f64(0.5)
-}
-
-/// Where a curve may be zero: `line(t) = -factor * |vector(t)|`; NaN or infinite for
-/// none. A root of the squared equation need not be one of the curve.
-fn roots<R: Real>(curve: &Curve<R>) -> [R; 2] {
-    let Some((Line { at: a, slope: b }, factor)) = curve.without_angle() else {
-        return [R::NAN; 2];
-    };
-    if factor == R::ZERO {
-        return [-a / b, R::NAN];
-    }
-    let zero = |v: &Line<R>| v.at == R::ZERO && v.slope == R::ZERO;
-    let [x, y, z] = &curve.vector;
-    let single = match (zero(x), zero(y), zero(z)) {
-        (_, true, true) => Some(x),
-        (true, _, true) => Some(y),
-        (true, true, _) => Some(z),
-        _ => None,
-    };
-    if let Some(v) = single {
-        let (at, slope) = (factor * v.at, factor * v.slope);
-        return [-(a + at) / (b + slope), -(a - at) / (b - slope)];
-    }
-    let square = |f: fn(&Line<R>) -> R, g: fn(&Line<R>) -> R| {
-        let products = curve.vector.iter().map(|v| f(v) * g(v));
-        factor * factor * products.fold(R::ZERO, |sum, p| sum + p)
-    };
-    quadratic_roots(
-        square(|v| v.slope, |v| v.slope) - b * b,
-        square(|v| v.at, |v| v.slope) - a * b,
-        square(|v| v.at, |v| v.at) - a * a,
-    )
-}
-
-/// The roots of `a t^2 + 2 b t + c`, without cancellation.
-fn quadratic_roots<R: Real>(a: R, b: R, c: R) -> [R; 2] {
-    let discriminant = b * b - a * c;
-    if discriminant < R::ZERO {
-        return [R::NAN; 2];
-    }
-    let root = discriminant.sqrt();
-    let q = if b < R::ZERO { root - b } else { -(b + root) };
-    [q / a, c / q]
 }

@@ -1,12 +1,11 @@
 //! What controllers change.
 
+use super::tuning::CONSTANT_RUNS;
 use crate::domain::MAX_TYPES;
-use crate::task::{MAX_ARGUMENTS, ObjectId, State};
+use crate::task::{ControllerId, MAX_ARGUMENTS, ObjectId, State};
 
 /// Attributes of an object of which more is known than that they change.
 const TRACKED: usize = 8;
-/// Runs after which what was always the same counts as constant.
-const ENOUGH: u32 = 3;
 
 /// The attributes that a controller changes, as far as was seen: of its own objects by
 /// their places, and of others by their types. One that was never seen may change
@@ -32,6 +31,12 @@ struct Effect {
 }
 
 impl Changes {
+    /// Those of a controller, of the changes of all; of one that is not among them nothing
+    /// was seen.
+    pub(super) fn of(all: &[Changes], ControllerId(id): ControllerId) -> Changes {
+        all.get(usize::from(id)).copied().unwrap_or_default()
+    }
+
     /// Takes in a run of the controller with these objects.
     pub fn observe(&mut self, objects: &[ObjectId], before: &State, after: &State) {
         for (object, kind) in before.objects() {
@@ -76,7 +81,7 @@ impl Changes {
     /// seen, if the controller changes it.
     fn constant(&self, objects: &[ObjectId], object: ObjectId, attribute: usize) -> Option<f64> {
         let place = objects.iter().position(|own| *own == object)?;
-        let own = self.own.get(place).filter(|_| self.runs >= ENOUGH)?;
+        let own = self.own.get(place).filter(|_| self.runs >= CONSTANT_RUNS)?;
         let value = own.values.get(attribute)?;
         (own.varies & bit(attribute) == 0).then_some(*value)
     }

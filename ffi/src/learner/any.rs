@@ -6,7 +6,7 @@ use crate::boundary::precision::Single;
 use critreg_core::Error;
 use critreg_core::learn::version_space::{self, Evidence, VersionSpace};
 #[cfg(feature = "algorithm1")]
-use critreg_core::learn::{self, Algorithm1};
+use critreg_core::learn::{Algorithm1, algorithm1};
 use critreg_core::learn::{Learner, Observation, Outcome, Problem, Query};
 use critreg_core::real::Real;
 use critreg_core::region::Region;
@@ -15,7 +15,7 @@ use critreg_core::region::Region;
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Capacity {
     #[cfg(feature = "algorithm1")]
-    Algorithm1(learn::Capacity),
+    Algorithm1(algorithm1::Capacity),
     VersionSpace(version_space::Capacity),
 }
 
@@ -92,7 +92,7 @@ impl<R: Real> Kind<R> {
 /// How learning went with a learner of some kind.
 pub(crate) enum Report {
     #[cfg(feature = "algorithm1")]
-    Algorithm1(learn::Report),
+    Algorithm1(algorithm1::Report),
     VersionSpace(version_space::Report),
 }
 

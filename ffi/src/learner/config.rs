@@ -13,7 +13,7 @@ use critreg_core::Error;
 #[cfg(feature = "algorithm1")]
 use critreg_core::domain::Domain;
 #[cfg(feature = "algorithm1")]
-use critreg_core::learn;
+use critreg_core::learn::algorithm1;
 use critreg_core::learn::version_space;
 #[cfg(feature = "algorithm1")]
 use critreg_core::region::Theta;
@@ -200,7 +200,7 @@ impl critreg_config {
         }
         #[cfg(feature = "algorithm1")]
         if self.learner == CRITREG_ALGORITHM1 {
-            return Ok(Capacity::Algorithm1(learn::Capacity {
+            return Ok(Capacity::Algorithm1(algorithm1::Capacity {
                 hypotheses: self.hypotheses as usize,
                 observations: observations as usize,
             }));
@@ -225,13 +225,13 @@ impl critreg_config {
         }))
     }
 
-    /// What [`learn::Algorithm1`] wants to know.
+    /// What [`critreg_core::learn::Algorithm1`] wants to know.
     ///
     /// # Safety
     /// `negative` and `positive`, if not NULL and aligned, have a readable number
     /// for every parameter of the domain.
     #[cfg(feature = "algorithm1")]
-    pub(crate) unsafe fn algorithm1(&self, domain: &Domain<'_>) -> Fallible<learn::Config> {
+    pub(crate) unsafe fn algorithm1(&self, domain: &Domain<'_>) -> Fallible<algorithm1::Config> {
         // SAFETY: by this function's contract, for both.
         let (negative, positive) = unsafe {
             (
@@ -239,7 +239,7 @@ impl critreg_config {
                 sample(self.positive, domain, "config.positive")?,
             )
         };
-        Ok(learn::Config {
+        Ok(algorithm1::Config {
             seed: self.seed,
             iterations: self.iterations,
             negative,
@@ -247,7 +247,7 @@ impl critreg_config {
         })
     }
 
-    /// What [`learn::VersionSpace`] wants to know.
+    /// What [`critreg_core::learn::VersionSpace`] wants to know.
     pub(crate) fn version_space(&self) -> Fallible<version_space::Config> {
         let shares = [self.noise, self.exploring, self.slack, self.confidence];
         if !shares.iter().all(|share| share.is_finite()) {
@@ -261,6 +261,7 @@ impl critreg_config {
             noise: self.noise,
             slack: self.slack,
             confidence: self.confidence,
+            ..version_space::Config::default()
         })
     }
 }

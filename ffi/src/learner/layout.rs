@@ -10,13 +10,12 @@ use crate::learner::config::critreg_config;
 use crate::learner::handle::critreg_learner;
 use crate::region::handle::critreg_region;
 use crate::region::layout::DomainLayout;
-use critreg_core::domain::{Domain, Node};
-use critreg_core::learn::Observation;
-use critreg_core::learn::version_space::{self, Cover, Evidence, Sample, Span, VersionSpace};
+use critreg_core::domain::Domain;
 #[cfg(feature = "algorithm1")]
-use critreg_core::learn::{self, Algorithm1, Bounds};
+use critreg_core::learn::{Algorithm1, algorithm1};
+use critreg_core::learn::{VersionSpace, version_space};
 use critreg_core::real::Real;
-use critreg_core::region::Region;
+use critreg_core::table::Blank;
 
 /// The parts of a learner.
 pub(crate) struct LearnerLayout {
@@ -42,34 +41,48 @@ enum KindTables<R: 'static> {
     VersionSpace(VersionSpaceTables<R>),
 }
 
-#[cfg(feature = "algorithm1")]
-struct Algorithm1Tables<R: 'static> {
-    capacity: learn::Capacity,
-    learner: Part<Algorithm1<'static, R>>,
-    features: Part<Node>,
-    values: Part<R>,
-    bounds: Part<Bounds<R>>,
-    observations: Part<Observation>,
-    pairs: Part<u8>,
+/// Declares where the tables lie that a learner's macro lists, and the learner itself.
+macro_rules! tables {
+    (
+        [$name:ident $learner:ident $module:ident]
+        $($(#[$doc:meta])* $table:ident: $entry:ty, $count:ident;)*
+    ) => {
+        struct $name<R: 'static> {
+            capacity: $module::Capacity,
+            learner: Part<$learner<'static, R>>,
+            $($table: Part<$entry>,)*
+        }
+
+        impl<R: 'static> $name<R> {
+            const fn new(packer: &mut Packer, capacity: $module::Capacity) -> Option<Self> {
+                Some($name {
+                    capacity,
+                    learner: append!(packer, 1),
+                    $($table: append!(packer, capacity.$count()),)*
+                })
+            }
+        }
+
+        impl<R: Real> $name<R> {
+            /// Fills the tables and lends them.
+            ///
+            /// # Safety
+            /// As for [`Part::fill_with`].
+            unsafe fn lend(&self, memory: *mut u8) -> $module::Memory<'static, R> {
+                // SAFETY: by this function's contract; the parts do not overlap.
+                unsafe {
+                    $module::Memory {
+                        $($table: self.$table.fill_with(memory, || <$entry as Blank>::BLANK),)*
+                    }
+                }
+            }
+        }
+    };
 }
 
-struct VersionSpaceTables<R: 'static> {
-    capacity: version_space::Capacity,
-    learner: Part<VersionSpace<'static, R>>,
-    features: Part<Node>,
-    columns: Part<u16>,
-    instances: Part<R>,
-    spans: Part<Span<R>>,
-    bits: Part<u64>,
-    rows: Part<R>,
-    lefts: Part<R>,
-    sets: Part<u64>,
-    covers: Part<Cover<R>>,
-    samples: Part<Sample>,
-    observations: Part<Observation>,
-    support: Part<Evidence>,
-    region: Part<Region>,
-}
+#[cfg(feature = "algorithm1")]
+critreg_core::algorithm1_tables! { [tables] R, Algorithm1Tables Algorithm1 algorithm1 }
+critreg_core::version_space_tables! { [tables] R, VersionSpaceTables VersionSpace version_space }
 
 impl<R: 'static> KindTables<R> {
     const fn new(packer: &mut Packer, capacity: Capacity) -> Option<Self> {
@@ -79,6 +92,7 @@ impl<R: 'static> KindTables<R> {
                 Some(tables) => Some(KindTables::Algorithm1(tables)),
                 None => None,
             },
+            Capacity::VersionSpace(capacity) if !is_sane(capacity) => None,
             Capacity::VersionSpace(capacity) => match VersionSpaceTables::new(packer, capacity) {
                 Some(tables) => Some(KindTables::VersionSpace(tables)),
                 None => None,
@@ -101,17 +115,8 @@ impl<R: Real> KindTables<R> {
         match self {
             #[cfg(feature = "algorithm1")]
             KindTables::Algorithm1(tables) => {
-                // SAFETY: by this function's contract; the parts do not overlap.
-                let (settings, lent) = unsafe {
-                    let lent = learn::Memory {
-                        features: tables.features.fill(memory, Node::Number(0.0)),
-                        values: tables.values.fill(memory, R::ZERO),
-                        pairs: tables.pairs.fill(memory, 0),
-                        bounds: tables.bounds.fill(memory, Default::default()),
-                        observations: tables.observations.fill(memory, Default::default()),
-                    };
-                    (config.algorithm1(domain)?, lent)
-                };
+                // SAFETY: by this function's contract.
+                let (settings, lent) = unsafe { (config.algorithm1(domain)?, tables.lend(memory)) };
                 let learner = Algorithm1::new(domain, settings, tables.capacity, lent)?;
                 // SAFETY: as above.
                 Ok(Kind::Algorithm1(unsafe {
@@ -121,7 +126,7 @@ impl<R: Real> KindTables<R> {
             KindTables::VersionSpace(tables) => {
                 // SAFETY: by this function's contract.
                 let learner = unsafe { tables.put_blank(memory, config.version_space()?)? };
-                learner.settle(domain)?;
+                learner.enumerate(domain)?;
                 Ok(Kind::VersionSpace(learner))
             }
         }
@@ -142,78 +147,21 @@ impl<R: Real> VersionSpaceTables<R> {
     ) -> Fallible<&'static mut VersionSpace<'static, R>> {
         // SAFETY: by this function's contract; the parts do not overlap.
         unsafe {
-            let lent = version_space::Memory {
-                features: self.features.fill(memory, Node::Number(0.0)),
-                columns: self.columns.fill(memory, 0),
-                instances: self.instances.fill(memory, R::ZERO),
-                spans: self.spans.fill(memory, Default::default()),
-                bits: self.bits.fill(memory, 0),
-                rows: self.rows.fill(memory, R::ZERO),
-                lefts: self.lefts.fill(memory, R::ZERO),
-                sets: self.sets.fill(memory, 0),
-                covers: self.covers.fill_with(memory, Default::default),
-                samples: self.samples.fill(memory, Default::default()),
-                observations: self.observations.fill(memory, Default::default()),
-                support: self.support.fill(memory, Default::default()),
-                region: self.region.put(memory, Region::default()),
-            };
-            let blank = VersionSpace::blank(settings, self.capacity, lent)?;
+            let blank = VersionSpace::blank(settings, self.capacity, self.lend(memory))?;
             Ok(self.learner.put(memory, blank))
         }
     }
 }
 
-#[cfg(feature = "algorithm1")]
-impl<R: 'static> Algorithm1Tables<R> {
-    const fn new(packer: &mut Packer, capacity: learn::Capacity) -> Option<Self> {
-        Some(Algorithm1Tables {
-            capacity,
-            learner: append!(packer, 1),
-            features: append!(packer, capacity.features()),
-            values: append!(packer, capacity.features()),
-            bounds: append!(packer, capacity.lefts()),
-            observations: append!(packer, capacity.observations),
-            pairs: append!(packer, capacity.pairs()),
-        })
+/// Whether the products of a capacity can be computed.
+const fn is_sane(capacity: version_space::Capacity) -> bool {
+    const fn times(left: usize, right: usize) -> usize {
+        left.saturating_mul(right)
     }
-}
-
-/// `left * right`, or a number that no memory has.
-const fn times(left: usize, right: usize) -> usize {
-    left.saturating_mul(right)
-}
-
-impl<R: 'static> VersionSpaceTables<R> {
-    const fn new(packer: &mut Packer, capacity: version_space::Capacity) -> Option<Self> {
-        // The products of the capacity are computed once they cannot overflow.
-        let words = times(capacity.forms, capacity.observations.div_ceil(64));
-        let most = [
-            times(capacity.features(), capacity.instances),
-            times(capacity.forms, capacity.steps),
-            times(words, 2),
-        ];
-        let [a, b, c] = most;
-        if a == usize::MAX || b == usize::MAX || c == usize::MAX {
-            return None;
-        }
-        Some(VersionSpaceTables {
-            capacity,
-            learner: append!(packer, 1),
-            features: append!(packer, capacity.features()),
-            instances: append!(packer, capacity.instance_values()),
-            spans: append!(packer, capacity.spans()),
-            bits: append!(packer, capacity.bits()),
-            rows: append!(packer, capacity.rows()),
-            lefts: append!(packer, capacity.lefts()),
-            sets: append!(packer, capacity.sets()),
-            region: append!(packer, 1),
-            support: append!(packer, capacity.support()),
-            covers: append!(packer, capacity.covers()),
-            observations: append!(packer, capacity.observations),
-            samples: append!(packer, capacity.observations),
-            columns: append!(packer, capacity.features()),
-        })
-    }
+    let words = times(capacity.forms, capacity.observations.div_ceil(64));
+    times(capacity.features(), capacity.instances) < usize::MAX
+        && times(capacity.forms, capacity.steps) < usize::MAX
+        && times(words, 2) < usize::MAX
 }
 
 impl LearnerLayout {
@@ -336,7 +284,7 @@ const _: () = {
             };
             #[cfg(feature = "algorithm1")]
             {
-                let first = learn::Capacity {
+                let first = algorithm1::Capacity {
                     hypotheses: forms,
                     observations,
                 };

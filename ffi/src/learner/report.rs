@@ -5,7 +5,7 @@ use crate::boundary::structs::{self, Versioned};
 use crate::learner::any::{AnyLearner, Report};
 use core::ffi::c_void;
 #[cfg(feature = "algorithm1")]
-use critreg_core::learn;
+use critreg_core::learn::algorithm1;
 use critreg_core::learn::version_space;
 
 /// In a critreg_report: this did not happen (yet), or never does in this learner.
@@ -107,7 +107,7 @@ impl critreg_report {
     }
 
     #[cfg(feature = "algorithm1")]
-    fn of_algorithm1(report: &learn::Report) -> Self {
+    fn of_algorithm1(report: &algorithm1::Report) -> Self {
         let counted = |count: Option<usize>| count.map_or(CRITREG_NOT_RUN, |n| n as u64);
         critreg_report {
             enumerated: report.enumeration.enumerated,

@@ -10,6 +10,7 @@ use critreg_core::grammar::MAX_CONSTRAINTS;
 use critreg_core::learn::version_space::Evidence;
 use critreg_core::real::Real;
 use critreg_core::region::{Grounded, Region};
+use critreg_core::table::Blank;
 
 /// A region: the parameters with which an action is expected to work, as
 /// constraints over a domain. It knows its domain. It either belongs to a learner
@@ -57,7 +58,7 @@ impl critreg_region {
             (&raw mut (*place).precision).write(precision);
             (&raw mut (*place).known).write(support.len());
             (&raw mut (*place).region).write(Region::default());
-            (&raw mut (*place).evidence).write([Evidence::default(); MAX_CONSTRAINTS]);
+            (&raw mut (*place).evidence).write([Evidence::BLANK; MAX_CONSTRAINTS]);
             (*place).region.copy_from(region);
             for (slot, own) in (*place).evidence.iter_mut().zip(support) {
                 *slot = *own;

@@ -6,7 +6,7 @@ use critreg::plan::{
     Conclusion, Config, Guide, Metrics, Planner, Sampler, Search, Simulated, Unguided,
 };
 use critreg::random::generator;
-use critreg::skill::{Informed, Training};
+use critreg::skill::{RegionGuide, RegionSampler, Training};
 use critreg::task::Task;
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::ideal::Ideal;
@@ -103,10 +103,10 @@ fn bench<'t, S, G: Guide>(
 }
 
 fn planning(c: &mut Criterion) {
-    let training = Training::default();
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
-    learn(&mut skills, 1, &training, &mut TrainingRoom::new(&training)).unwrap();
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
+    let mut training_room = TrainingRoom::new(Training::default());
+    learn(&mut skills, 1, &mut training_room).unwrap();
     for buttons in [1..=1, 3..=4] {
         let tasks = tasks(buttons.clone());
         let name = format!("50 tasks, {buttons:?} buttons, ideal sampler");
@@ -118,8 +118,8 @@ fn planning(c: &mut Criterion) {
         });
         let name = format!("50 tasks, {buttons:?} buttons, learned regions");
         bench(c, (&name, &tasks), |task| {
-            let informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
-            (informed, informed)
+            let guide = RegionGuide::new(&ENVIRONMENT, &skills, &task.initial);
+            (RegionSampler::new(&ENVIRONMENT, &skills), guide)
         });
     }
 }

@@ -1,19 +1,14 @@
 //! Learning with the core, in `f64`, and drawing in both precisions.
 
 use critreg::Error;
-use critreg::domain::{Domain, Node};
+use critreg::domain::Domain;
 use critreg::env::stick_button::StickButton;
-use critreg::learn::{
-    Algorithm1, Bounds, Capacity, Config, Memory, Observation, Problem, learn_region, resume, save,
-};
+use critreg::learn::{Capacity, Config, Problem, VersionSpace, learn_region, resume, save};
 use critreg::random::generator;
 use critreg::region::{Region, SavedRegion};
 use critreg::text::TextBuffer;
 
-const ROOM: Capacity = Capacity {
-    hypotheses: 4096,
-    observations: 128,
-};
+critreg::room!(struct Room: f64, Capacity::new(1024, 128));
 
 /// The texts come from outside, so that nothing is decided at compile time.
 ///
@@ -45,7 +40,7 @@ fn run(text: &str, seed: u64) -> Result<bool, Error> {
         ..Config::default()
     };
     let mut bytes = [0; 8192];
-    let mut learned = learn::<f64>(&domain, &problem, config, &environment, &mut bytes)?;
+    let mut learned = learn(&domain, &problem, config, &environment, &mut bytes)?;
     let mut out = [0; 4096];
     let mut buffer = TextBuffer::new(&mut out);
     learned
@@ -65,26 +60,15 @@ fn run(text: &str, seed: u64) -> Result<bool, Error> {
     Ok(grounded.contains(used)? && !empty && other.first() != theta.get(1))
 }
 
-fn learn<R: critreg::real::Real>(
+fn learn(
     domain: &Domain<'_>,
     problem: &Problem<'_>,
     config: Config,
     environment: &StickButton,
     bytes: &mut [u8],
 ) -> Result<Region, Error> {
-    let mut features = [Node::Number(0.0); ROOM.features()];
-    let mut values = [R::ZERO; ROOM.features()];
-    let mut pairs = [0; ROOM.pairs()];
-    let mut bounds = [Bounds::default(); ROOM.lefts()];
-    let mut observations = [Observation::default(); ROOM.observations];
-    let memory = Memory {
-        features: &mut features,
-        values: &mut values,
-        pairs: &mut pairs,
-        bounds: &mut bounds,
-        observations: &mut observations,
-    };
-    let mut learner = Algorithm1::<R>::new(domain, config, ROOM, memory)?;
+    let mut room = Room::new();
+    let mut learner = VersionSpace::new(domain, config, Room::CAPACITY, room.lend())?;
     let _ = resume(&mut learner, problem, bytes);
     let learned = learn_region(&mut learner, problem, |_, query| {
         environment.try_pick(problem.instance(query.instance)?, &query.theta)

@@ -8,7 +8,9 @@ use critreg::env::shelf::Shelf;
 use critreg::env::stick_button::StickButton;
 use critreg::plan::{self, Conclusion, Config, GroundTask, Planner, ReasonId};
 use critreg::random::generator;
-use critreg::skill::{Changes, Describe, Informed, Skill, Skills, Training, TrainingMemory};
+use critreg::skill::{
+    Changes, Describe, RegionGuide, RegionSampler, Skill, Skills, Trainer, Training, TrainingMemory,
+};
 use critreg::task::{State, Task};
 use critreg::text::TextBuffer;
 
@@ -51,20 +53,15 @@ plan_in! {
 fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {
     let environment = &room.environment;
     let mut skills = Skills::new(environment, &mut room.skills, &mut room.changes)?;
-    skills.learn(
-        room.skill,
-        environment,
-        room.tasks,
-        &room.training,
-        room.memory,
-    )?;
+    let mut trainer = Trainer::new(environment, room.training, room.memory);
+    trainer.learn(&mut skills, room.skill, room.tasks)?;
     let task = room.tasks.first().ok_or(Error::NoRegion)?;
     let ground = GroundTask::<E, 32>::new(environment, task)?;
-    let mut informed = Informed::new(environment, &skills, &task.initial);
+    let mut guide = RegionGuide::new(environment, &skills, &task.initial);
     let mut planner = Planner {
         world: &mut ground.simulated(),
-        sampler: &mut informed.clone(),
-        guide: &mut informed,
+        sampler: &mut RegionSampler::new(environment, &skills),
+        guide: &mut guide,
         config: room.config,
     };
     let lots = generator(room.seed);
@@ -74,6 +71,6 @@ fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {
     let solved = planned.conclusion == Conclusion::Solved;
     let mut text = TextBuffer::new(&mut room.text);
     let reason = planned.metrics.main_reason().unwrap_or(ReasonId(0));
-    let explained = informed.explain(&ground.operators, reason, &mut text);
+    let explained = guide.explain(&ground.operators, reason, &mut text);
     Ok(solved || explained.is_ok())
 }

@@ -7,7 +7,7 @@ use crate::plan::skills::{SkillRoom, TrainingRoom, learn};
 use crate::plan::{Grounding, Room, plan};
 use critreg::Error;
 use critreg::plan::{Conclusion, Planned, Unguided};
-use critreg::skill::{Informed, Training};
+use critreg::skill::{RegionGuide, RegionSampler, Training};
 use critreg::task::State;
 use rand_pcg::Pcg64;
 
@@ -71,11 +71,10 @@ pub struct Measured {
 /// If the memory does not suffice to learn or to plan.
 pub fn measure() -> Measured {
     let generators: Vec<Pcg64> = record::streams().map(|s| s.generator).collect();
-    let training = Training::default();
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
-    let mut training_room = TrainingRoom::new(&training);
-    let costs = learn(&mut skills, SEED, &training, &mut training_room).expect("enough room");
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).expect("valid descriptions");
+    let mut training_room = TrainingRoom::new(Training::default());
+    let costs = learn(&mut skills, SEED, &mut training_room).expect("enough room");
     let mut room = Room::new(10_000);
     let (mut original, mut learned) = (vec![], vec![]);
     for run in record::runs_of_the_thesis() {
@@ -85,20 +84,15 @@ pub fn measure() -> Measured {
         let unguided = (grounding.simulated(), Unguided);
         let planned = plan(&grounding, initial, unguided, numbers, &mut room);
         original.push(Cost::of(planned));
-        let informed = Informed::new(&ENVIRONMENT, &skills, initial);
-        let planned = plan(
-            &grounding,
-            initial,
-            (informed, informed),
-            numbers,
-            &mut room,
-        );
+        let sampler = RegionSampler::new(&ENVIRONMENT, &skills);
+        let guide = RegionGuide::new(&ENVIRONMENT, &skills, initial);
+        let planned = plan(&grounding, initial, (sampler, guide), numbers, &mut room);
         learned.push(Cost::of(planned));
     }
     Measured {
         original: Series::new("original samplers", "original", &original),
         learned: Series::new("learned regions", "learned", &learned),
-        learning: costs.iter().map(|cost| cost.calls).sum(),
+        learning: costs.iter().map(|cost| cost.runs).sum(),
     }
 }
 

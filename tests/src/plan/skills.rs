@@ -6,90 +6,60 @@ use crate::room::VersionSpaceRoom;
 use critreg::Error;
 use critreg::learn::version_space::Capacity;
 use critreg::random::generator;
-use critreg::region::Theta;
-use critreg::skill::{
-    Candidate, Changes, Describe, Learned, Setting, Skill, Skills, Training, TrainingMemory,
-};
-use critreg::task::{GroundOperator, Task};
+use critreg::skill::{self, Describe, Learned, Skills, Trainer, Training, TrainingMemory};
+use critreg::task::Task;
 use std::ops::RangeInclusive;
 
-/// The memory of skills.
-pub struct SkillRoom {
-    skills: Vec<Option<Skill>>,
-    changes: Vec<Changes>,
-}
+/// Memory for the skills of any environment.
+pub type SkillRoom = skill::SkillRoom<8, 8>;
 
-impl SkillRoom {
-    /// Room for the skills of an environment.
-    pub fn new<E: Describe>(environment: &E) -> Self {
-        let count = environment.descriptions().len();
-        SkillRoom {
-            skills: (0..count).map(|_| None).collect(),
-            changes: vec![Changes::default(); E::CONTROLLERS.len()],
-        }
-    }
+/// Most situations.
+const SITUATIONS: usize = 150;
 
-    /// Skills of which nothing is known yet.
-    pub fn lend(&mut self, environment: &impl Describe) -> Skills<'_> {
-        Skills::new(environment, &mut self.skills, &mut self.changes)
-            .expect("the descriptions are valid")
-    }
-}
-
-/// The memory of learning a skill.
+/// How much is tried to learn skills, and the memory for it.
 pub struct TrainingRoom {
-    capacity: Capacity,
-    settings: Vec<Option<Setting>>,
-    candidates: Vec<Candidate>,
-    proposals: Vec<Theta>,
-    instances: Vec<f64>,
-    operators: heapless::Vec<GroundOperator, MAX_OPERATORS>,
+    training: Training,
+    tables: Box<skill::TrainingRoom<SITUATIONS, MAX_OPERATORS>>,
     planner: Room,
     learner: VersionSpaceRoom,
 }
 
 impl TrainingRoom {
-    /// Memory for so many calls of each of two controllers, or states of one without
-    /// parameters.
-    pub fn new(training: &Training) -> TrainingRoom {
-        let instances = training.instances.max(training.states);
-        let calls = training
-            .learner
-            .calls
-            .max(training.chained)
-            .max(training.budget) as usize;
-        let candidates = 4 * instances;
-        let capacity = Capacity {
-            forms: 12_000,
-            tracked: usize::MAX,
-            observations: calls.max(instances),
-            instances,
-            steps: 2,
-        };
+    /// Memory for so much training.
+    pub fn new(training: Training) -> TrainingRoom {
+        let instances = training.situations.max(training.states);
+        let calls = [training.learner.calls, training.chained, training.budget];
+        let calls = calls.into_iter().max().unwrap_or_default() as usize;
         TrainingRoom {
-            capacity,
-            settings: (0..2 * instances).map(|_| None).collect(),
-            candidates: vec![Candidate::default(); candidates],
-            proposals: vec![Theta::default(); candidates],
-            instances: vec![0.0; 64 * candidates],
-            operators: heapless::Vec::new(),
+            training,
+            tables: Box::default(),
             planner: Room::new(1000),
-            learner: VersionSpaceRoom::new(capacity),
+            learner: VersionSpaceRoom::new(Capacity {
+                forms: 12_000,
+                tracked: usize::MAX,
+                observations: calls.max(instances),
+                instances,
+                steps: 2,
+            }),
         }
+    }
+
+    /// A trainer whose random choices are those of a seed.
+    pub fn trainer<'m, E: Describe>(
+        &'m mut self,
+        environment: &'m E,
+        seed: u64,
+    ) -> Trainer<'m, 'm, E> {
+        let mut training = self.training;
+        training.learner.seed = seed;
+        Trainer::new(environment, training, self.lend())
     }
 
     /// Lends all of it.
     pub fn lend(&mut self) -> TrainingMemory<'_> {
-        TrainingMemory {
-            settings: &mut self.settings,
-            candidates: &mut self.candidates,
-            proposals: &mut self.proposals,
-            instances: &mut self.instances,
-            operators: &mut self.operators,
-            planner: self.planner.lend(),
-            learner: self.learner.lend(),
-            capacity: self.capacity,
-        }
+        let capacity = self.learner.capacity;
+        let learner = (self.learner.lend(), capacity);
+        self.tables.lend(self.planner.lend(), learner)
     }
 }
 
@@ -108,37 +78,29 @@ pub fn tasks(seed: u64, buttons: RangeInclusive<usize>, count: usize) -> Vec<Tas
 /// the framework.
 ///
 /// # Errors
-/// Those of [`Skills::learn`].
+/// Those of [`Trainer::learn`].
 pub fn learn(
     skills: &mut Skills<'_>,
     seed: u64,
-    training: &Training,
     room: &mut TrainingRoom,
 ) -> Result<Vec<Learned>, Error> {
-    let tasks = tasks(seed ^ 0x7EA1_0000_0000, 1..=2, training.states);
-    learn_from(&ENVIRONMENT, skills, &tasks, seed, training, room)
+    let tasks = tasks(seed ^ 0x7EA1_0000_0000, 1..=2, room.training.states);
+    learn_from(&ENVIRONMENT, skills, &tasks, seed, room)
 }
 
 /// Learns all skills of an environment from training tasks.
 ///
 /// # Errors
-/// Those of [`Skills::learn`].
+/// Those of [`Trainer::learn`].
 pub fn learn_from<E: Describe>(
     environment: &E,
     skills: &mut Skills<'_>,
     tasks: &[Task],
     seed: u64,
-    training: &Training,
     room: &mut TrainingRoom,
 ) -> Result<Vec<Learned>, Error> {
-    let training = Training {
-        learner: critreg::learn::version_space::Config {
-            seed,
-            ..training.learner
-        },
-        ..*training
-    };
-    let all = 0..environment.descriptions().len();
-    all.map(|index| skills.learn(index, environment, tasks, &training, room.lend()))
+    let mut trainer = room.trainer(environment, seed);
+    let all = 0..E::DESCRIPTIONS.len();
+    all.map(|index| trainer.learn(skills, index, tasks))
         .collect()
 }

@@ -49,7 +49,7 @@ pub fn training() -> Training {
         chained: 60,
         budget: 245,
         tasks: 12,
-        instances: 34,
+        situations: 34,
         states: 26,
     }
 }
@@ -140,19 +140,12 @@ fn evaluate<E: Describe>(
     tests: &[Task],
     seeds: u64,
 ) {
-    let training = training();
-    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training));
-    let mut skill_room = SkillRoom::new(environment);
+    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(training()));
+    let mut skill_room = SkillRoom::default();
     let mut planned = Row::new(name, "learned");
     for seed in FIRST_SEED..FIRST_SEED + seeds {
-        let mut skills = skill_room.lend(environment);
-        let learned = train(
-            environment,
-            &task,
-            seed,
-            &mut skills,
-            (&training, &mut training_room),
-        );
+        let mut skills = skill_room.lend(environment).expect("valid descriptions");
+        let learned = train(environment, &task, seed, &mut skills, &mut training_room);
         let learned = learned.expect("learning does not fail");
         print_budgets::<E>(&skills, &learned);
         for (index, learned) in learned.iter().enumerate() {
@@ -172,21 +165,21 @@ fn evaluate<E: Describe>(
     planned.print();
 }
 
-/// Learns all skills from tasks of a seed. The room is one for this training.
+/// Learns all skills from tasks of a seed.
 ///
 /// # Errors
-/// Those of [`Skills::learn`].
+/// Those of [`Trainer::learn`](critreg::skill::Trainer::learn).
 pub fn train<E: Describe>(
     environment: &E,
     task: impl Fn(usize, &mut Generator) -> Result<Task, Error>,
     seed: u64,
     skills: &mut Skills<'_>,
-    (training, room): (&Training, &mut TrainingRoom),
+    room: &mut TrainingRoom,
 ) -> Result<Vec<Learned>, Error> {
     let mut rng = generator(seed ^ 0x7EA1_0000_0000);
     let tasks = (0..TRAINING).flat_map(|index| task(index, &mut rng));
     let tasks: Vec<Task> = tasks.collect();
-    learn_from(environment, skills, &tasks, seed, training, room)
+    learn_from(environment, skills, &tasks, seed, room)
 }
 
 /// Prints what it took to learn all skills of each controller.
@@ -194,12 +187,12 @@ fn print_budgets<E: Environment>(skills: &Skills<'_>, learned: &[Learned]) {
     for (id, controller) in (0..).map(ControllerId).zip(E::CONTROLLERS) {
         let pairs = skills.iter().zip(learned);
         let own: Vec<&Learned> = pairs
-            .filter(|(skill, _)| skill.description().own == id)
+            .filter(|(skill, _)| skill.description().controller == id)
             .map(|(_, learned)| learned)
             .collect();
         if !own.is_empty() {
             let tasks = own.iter().map(|learned| learned.tasks).max();
-            let calls: u32 = own.iter().map(|learned| learned.calls).sum();
+            let calls: u32 = own.iter().map(|learned| learned.runs).sum();
             println!(
                 "controller: {}, tasks {}, calls {calls}",
                 controller.name,
@@ -221,8 +214,8 @@ fn print_skill<E: Environment>(
         "skill: {}, tasks {}, instances {}, calls {}, {judged}",
         title::<E>(skill),
         learned.tasks,
-        learned.instances,
-        learned.calls,
+        learned.situations,
+        learned.runs,
     );
     let region = skill.region();
     let region = region.map(|region| text::of_region(skill.domain(), region));
@@ -239,5 +232,5 @@ fn title<E: Environment>(skill: &Skill) -> String {
         [] => " (states)",
         _ => "",
     };
-    format!("{}{later}{states}", name(description.own))
+    format!("{}{later}{states}", name(description.controller))
 }

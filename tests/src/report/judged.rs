@@ -1,16 +1,15 @@
 //! How good the region of a skill is on tasks that it was not learned from.
 
 use crate::plan::skills::TrainingRoom;
-use critreg::domain::MAX_PARAMETERS;
 use critreg::learn::Outcome;
 use critreg::random::{Generator, generator, uniform, uniform_in};
 use critreg::region::Theta;
-use critreg::skill::{Describe, Setting, Skills};
-use critreg::task::{Environment, Task};
+use critreg::skill::{Describe, Oracle, Skills};
+use critreg::task::Task;
 use std::fmt;
 
-/// Settings to judge in, and parameters in each of them.
-const SETTINGS: usize = 40;
+/// Situations to judge in, and parameters in each of them.
+const SITUATIONS: usize = 40;
 const DRAWS: usize = 25;
 
 /// Counts of parameters: of those the region admits and of those that work, and of both.
@@ -46,51 +45,52 @@ pub(super) fn judge<E: Describe>(
     room: &mut TrainingRoom,
 ) -> Judged {
     let mut judged = Judged::default();
-    let Some(region) = skills.get(index).and_then(|s| s.region()).cloned() else {
+    let Some(skill) = skills.get(index).cloned() else {
         return judged;
     };
-    let count = skills.settings(index, environment, tests, SETTINGS, room.lend());
-    let settings: Vec<Setting> = {
-        let count = count.expect("there is room");
-        let memory = room.lend();
-        memory.settings[..count].iter().flatten().cloned().collect()
+    let (Some(region), domain) = (skill.region(), skill.domain()) else {
+        return judged;
     };
+    let mut trainer = room.trainer(environment, 0);
+    let situations = trainer
+        .situations(skills, index, tests, SITUATIONS)
+        .expect("there is room");
+    let parameters = domain.parameters().len();
+    let mut oracle = Oracle::new(environment, skills);
     let mut rng = generator(index as u64);
-    for setting in &settings {
-        let skill = skills.get(index).expect("it is there");
-        let (domain, mut numbers) = (skill.domain().clone(), vec![0.0; skill.binding().len()]);
-        skill
-            .instance(environment, setting, &mut numbers)
-            .expect("the setting is of the skill");
-        let parameters = domain.parameters().len();
-        let grounded = region.ground::<f64>(&domain, &numbers).expect("a region");
-        let proposal = proposal(environment, setting, &mut rng);
+    for situation in situations.iter().flatten() {
+        let mut numbers = vec![0.0; skill.binding().len()];
+        situation
+            .instance(environment, &skill, &mut numbers)
+            .expect("the situation is of the skill");
+        let grounded = region.ground::<f64>(domain, &numbers).expect("a region");
+        let proposal = situation.proposal(environment, &mut rng);
         let space: Vec<[f64; 2]> = domain
             .parameters()
             .iter()
             .map(|p| [p.low, p.high])
             .collect();
         for draw in 0..if parameters == 0 { 1 } else { DRAWS } {
-            let mut works = |theta: &Theta, skills: &mut Skills<'_>| {
+            let mut works = |theta: &Theta| {
                 let theta = (parameters > 0).then_some(&theta[..parameters]);
-                let tried = skills.attempt(environment, setting, theta, &mut rng);
-                match tried.expect("trying does not fail").0 {
+                let outcome = oracle.answer(situation, theta, &mut rng);
+                match outcome.expect("an oracle does not fail") {
                     Outcome::Feasible => Some(true),
                     // Of a chain where already the first step fails nothing is said.
-                    Outcome::FailedStep(1) if setting.steps.len() > 1 => None,
+                    Outcome::FailedStep(1) if situation.steps.len() > 1 => None,
                     Outcome::FailedStep(_) => Some(false),
                     Outcome::Unknown => None,
                 }
             };
             let mut chance = generator((draw as u64) << 8);
             if let Ok(theta) = grounded.sample(&mut chance)
-                && let Some(works) = works(&theta, skills)
+                && let Some(works) = works(&theta)
             {
                 judged.admitted += 1;
                 judged.admitted_feasible += u32::from(works);
             }
             let theta = near(&proposal, &space, &mut chance);
-            if works(&theta, skills) == Some(true) {
+            if works(&theta) == Some(true) {
                 let inside = grounded.contains(&theta[..parameters]);
                 judged.feasible += 1;
                 judged.feasible_admitted += u32::from(inside.expect("parameters"));
@@ -98,17 +98,6 @@ pub(super) fn judge<E: Describe>(
         }
     }
     judged
-}
-
-/// Parameters of the original sampler.
-fn proposal<E: Environment>(environment: &E, setting: &Setting, rng: &mut Generator) -> Theta {
-    let own = &setting.steps[0];
-    let drawn = environment.sample(own.operator, &setting.state, own.objects.as_slice(), rng);
-    let mut theta = [0.0; MAX_PARAMETERS];
-    for (value, drawn) in theta.iter_mut().zip(drawn) {
-        *value = f64::from(drawn);
-    }
-    theta
 }
 
 /// Parameters close to some, at any scale.

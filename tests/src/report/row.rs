@@ -2,7 +2,7 @@
 
 use crate::plan::{Grounding, Room, plan};
 use critreg::plan::{Conclusion, Guide, Planned, Sampler, Simulated, Unguided};
-use critreg::skill::{Describe, Informed, Skills};
+use critreg::skill::{Describe, RegionGuide, RegionSampler, Skills};
 use critreg::task::{Environment, State, Task};
 use rand_core::Rng;
 use std::time::Instant;
@@ -69,8 +69,9 @@ impl Row {
     ) {
         let started = Instant::now();
         let grounding = ground(environment, task);
-        let informed = Informed::new(environment, skills, &task.initial);
-        self.plan((&grounding, task), (informed, informed), numbers, room);
+        let sampler = RegionSampler::new(environment, skills);
+        let guide = RegionGuide::new(environment, skills, &task.initial);
+        self.plan((&grounding, task), (sampler, guide), numbers, room);
         self.seconds += started.elapsed().as_secs_f64();
     }
 

@@ -82,8 +82,8 @@ fn algorithm1() {
     let mut room = Room::new(NODES);
     let mut row = Row::new("seed 0, 1 button", "learned by algorithm1");
     for seed in FIRST_SEED..FIRST_SEED + ALGORITHM1_SEEDS {
-        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-        let mut skills = skill_room.lend(&ENVIRONMENT);
+        let mut skill_room = SkillRoom::default();
+        let mut skills = skill_room.lend(&ENVIRONMENT).expect("valid descriptions");
         match grasps(&skills, seed) {
             Ok(region) => {
                 row.regions += 1;
@@ -120,7 +120,7 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
     let length = skill.binding().len();
     let mut instances = vec![0.0; states.len() * length];
     for (state, numbers) in states.iter().zip(instances.chunks_exact_mut(length)) {
-        skill.binding().instance(&pick::scope(state), numbers)?;
+        skill.binding().instance(&pick::context(state), numbers)?;
     }
     let problem = Problem::new(skill.domain(), &instances, states.len())?;
     let mut room = Algorithm1Room::new(20_000, 102);
@@ -148,22 +148,17 @@ fn version_space(seeds: u64) {
     };
     let mut originals = BUTTONS.map(|buttons| name(buttons, "original"));
     let mut rows = BUTTONS.map(|buttons| name(buttons, "learned, version_space"));
-    let descriptions = ENVIRONMENT.descriptions();
+    let descriptions = StickButton::DESCRIPTIONS;
     let mut calls = vec![(0, 0); descriptions.len()];
-    let training = Training::default();
-    let (mut room, mut training_room) = (Room::new(NODES), TrainingRoom::new(&training));
+    let mut room = Room::new(NODES);
+    let mut training_room = TrainingRoom::new(Training::default());
     for seed in 0..seeds {
-        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-        let mut skills = skill_room.lend(&ENVIRONMENT);
-        let learned = skills::learn(
-            &mut skills,
-            FIRST_SEED + seed,
-            &training,
-            &mut training_room,
-        );
+        let mut skill_room = SkillRoom::default();
+        let mut skills = skill_room.lend(&ENVIRONMENT).expect("valid descriptions");
+        let learned = skills::learn(&mut skills, FIRST_SEED + seed, &mut training_room);
         let learned = learned.expect("learning does not fail");
         for ((sum, regions), learned) in calls.iter_mut().zip(&learned) {
-            *sum += learned.calls;
+            *sum += learned.runs;
             *regions += u32::from(learned.region);
         }
         for (buttons, (original, row)) in
@@ -177,7 +172,7 @@ fn version_space(seeds: u64) {
             plan(row, &tests, &skills, &mut room);
             row.learners += 1;
             row.regions += learned.iter().map(|l| u32::from(l.region)).sum::<u32>();
-            row.learning_calls += learned.iter().map(|l| u64::from(l.calls)).sum::<u64>();
+            row.learning_calls += learned.iter().map(|l| u64::from(l.runs)).sum::<u64>();
         }
     }
     for (original, row) in originals.iter().zip(&rows) {
@@ -190,7 +185,7 @@ fn version_space(seeds: u64) {
         let later = description
             .later
             .map_or(String::new(), |id| format!(" then {}", name(id)));
-        println!("learning: {}{later}", name(description.own));
+        println!("learning: {}{later}", name(description.controller));
         println!(
             "learning_calls_mean: {:.1}",
             f64::from(calls) / seeds as f64

@@ -10,7 +10,7 @@ use critreg::learn::version_space::Config as LearnerConfig;
 use critreg::plan::{Conclusion, Config, Metrics, Planner};
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
-use critreg::skill::{Informed, Scope, Skill, Skills, Training};
+use critreg::skill::{Context, RegionGuide, RegionSampler, Skill, Skills, Training};
 use critreg::task::{
     Environment, ObjectId, OperatorId, PredicateId, State, Task, Trial, Verdict, try_operator,
 };
@@ -350,15 +350,15 @@ const TRUE_REGIONS: [&str; 3] = [
 
 /// Whether a skill says that parameters work in a state.
 fn says(skill: &Skill, state: &State, own: &[ObjectId], theta: [f64; 2]) -> bool {
-    let scope = Scope {
+    let context = Context {
         environment: &Shelf,
         state,
-        own,
-        later: &[ROBOT, BOX, SHELF],
-        among: &[],
+        objects: own,
+        later_objects: &[ROBOT, BOX, SHELF],
+        members: &[],
     };
     let mut instance = vec![0.0; skill.binding().len()];
-    skill.binding().instance(&scope, &mut instance).unwrap();
+    skill.binding().instance(&context, &mut instance).unwrap();
     let region = skill.region().expect("there is a region");
     region
         .contains::<f64>(skill.domain(), &instance, &theta)
@@ -409,11 +409,10 @@ fn planned<'m>(
     grounding: &'m Grounding<'m, Shelf>,
     room: &'m mut Room,
 ) -> (Conclusion, Metrics<'m>) {
-    let informed = Informed::new(&Shelf, skills, &task.initial);
     let mut planner = Planner {
         world: &mut grounding.simulated(),
-        sampler: &mut { informed },
-        guide: &mut { informed },
+        sampler: &mut RegionSampler::new(&Shelf, skills),
+        guide: &mut RegionGuide::new(&Shelf, skills, &task.initial),
         config: Config::default(),
     };
     let numbers = || generator(7);
@@ -430,8 +429,8 @@ fn planned<'m>(
 
 #[test]
 fn the_descriptions_can_say_the_feasible_sets_and_then_every_sample_works() {
-    let mut skill_room = SkillRoom::new(&Shelf);
-    let mut skills = skill_room.lend(&Shelf);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&Shelf).unwrap();
     for (index, text) in TRUE_REGIONS.iter().enumerate() {
         let skill = skills.get_mut(index).unwrap();
         let region = Region::parse(skill.domain(), text).unwrap();
@@ -447,11 +446,11 @@ fn the_descriptions_can_say_the_feasible_sets_and_then_every_sample_works() {
 }
 
 /// Learns all skills from so many tasks.
-fn learned<'m>(room: &'m mut SkillRoom, seed: u64, instances: usize) -> Skills<'m> {
+fn learned<'m>(room: &'m mut SkillRoom, seed: u64, count: usize) -> Skills<'m> {
     let training = Training {
-        tasks: instances,
-        instances,
-        states: instances,
+        tasks: count,
+        situations: count,
+        states: count,
         chained: 100,
         budget: 0,
         learner: LearnerConfig {
@@ -460,11 +459,11 @@ fn learned<'m>(room: &'m mut SkillRoom, seed: u64, instances: usize) -> Skills<'
             ..LearnerConfig::default()
         },
     };
-    let mut skills = room.lend(&Shelf);
-    let (tasks, mut room) = (tasks(seed + 1000, 60), TrainingRoom::new(&training));
-    let learned = learn_from(&Shelf, &mut skills, &tasks, seed, &training, &mut room);
+    let mut skills = room.lend(&Shelf).unwrap();
+    let (tasks, mut room) = (tasks(seed + 1000, 60), TrainingRoom::new(training));
+    let learned = learn_from(&Shelf, &mut skills, &tasks, seed, &mut room);
     for learned in learned.unwrap() {
-        let within = learned.instances <= instances && learned.calls <= 250;
+        let within = learned.situations <= count && learned.runs <= 250;
         assert!(learned.region && within, "{learned:?}");
     }
     skills
@@ -477,7 +476,7 @@ fn the_skills_are_learned_from_a_dozen_tasks() {
     // the height alone explains all of them.
     let seeds = 0..15;
     let all_right = seeds.filter(|seed| {
-        let mut room = SkillRoom::new(&Shelf);
+        let mut room = SkillRoom::default();
         let [pick, place, later] = agreement(&learned(&mut room, *seed, 12), 10);
         assert!(pick > 0.99, "seed {seed}: {pick}");
         place > 0.98 && later > 0.99
@@ -488,7 +487,7 @@ fn the_skills_are_learned_from_a_dozen_tasks() {
 #[test]
 fn with_twice_as_many_tasks_nearly_every_sample_works() {
     for seed in 0..3 {
-        let mut skill_room = SkillRoom::new(&Shelf);
+        let mut skill_room = SkillRoom::default();
         let skills = learned(&mut skill_room, seed, 24);
         let shares = agreement(&skills, 10);
         assert!(shares.iter().all(|share| *share > 0.98), "{shares:?}");

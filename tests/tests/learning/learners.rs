@@ -3,9 +3,8 @@
 use critreg::Error;
 use critreg::domain::{Domain, Node, NodeId, PointSet, Sample, Scene};
 use critreg::grammar::{Comparison, Features, Hypotheses};
-use critreg::learn::{
-    Algorithm1, Config, Learner, Outcome, Problem, Query, resume, save, saved_len,
-};
+use critreg::learn::algorithm1::Config;
+use critreg::learn::{Algorithm1, Learner, Outcome, Problem, Query, resume, save, saved_len};
 use critreg_tests::room::Algorithm1Room;
 use critreg_tests::{arm, pick};
 use proptest::prelude::*;

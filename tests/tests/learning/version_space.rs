@@ -256,13 +256,14 @@ fn the_table_of_bytes_is_right() {
         steps: 1,
     };
     assert_eq!(
-        capacity.spans() * size_of::<critreg::learn::version_space::Span<f64>>(),
+        capacity.intervals() * size_of::<critreg::learn::version_space::Interval<f64>>(),
         16 * 4096
     );
-    assert_eq!(capacity.bits() * 8, 16 * 4096 * 256 / 64);
-    assert_eq!(capacity.instance_values() * 8, (4096 + 512) * 4);
-    let covers = size_of::<critreg::learn::version_space::Cover<f64>>() * capacity.covers();
-    assert!(covers <= 5120, "{covers}");
+    assert_eq!(capacity.exclusions() * 8, 16 * 4096 * 256 / 64);
+    assert_eq!(capacity.rhs_values() * 8, (4096 + 512) * 4);
+    let hypotheses =
+        size_of::<critreg::learn::version_space::Hypothesis<f64>>() * capacity.hypotheses();
+    assert!(hypotheses <= 5120, "{hypotheses}");
     assert_eq!(size_of::<Observation>(), 56);
 }
 

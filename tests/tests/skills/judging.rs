@@ -7,7 +7,7 @@ use critreg::learn::version_space::Config as LearnerConfig;
 use critreg::plan::{Advice, Guide, Skeleton};
 use critreg::random::generator;
 use critreg::region::Region;
-use critreg::skill::{Describe, Informed, Skills, Training};
+use critreg::skill::{Describe, RegionGuide, Skills, Training};
 use critreg::task::{AtomSet, Environment, GroundOperator, ObjectId, State, Task, try_operator};
 use critreg_tests::golden::{CLUTTERED_TABLE, CLUTTERED_TABLE_PLACE, COVER, Recording};
 use critreg_tests::plan::Grounding;
@@ -21,7 +21,7 @@ fn observe<E: Describe>(environment: &E, skills: &mut Skills<'_>, tasks: &[Task]
         chained: 20,
         budget: 0,
         tasks: 10,
-        instances: 4,
+        situations: 4,
         states,
         learner: LearnerConfig {
             calls: 20,
@@ -29,8 +29,8 @@ fn observe<E: Describe>(environment: &E, skills: &mut Skills<'_>, tasks: &[Task]
             ..LearnerConfig::default()
         },
     };
-    let mut room = TrainingRoom::new(&training);
-    learn_from(environment, skills, tasks, 1, &training, &mut room).unwrap();
+    let mut room = TrainingRoom::new(training);
+    learn_from(environment, skills, tasks, 1, &mut room).unwrap();
 }
 
 /// That the skill at an index has this region is all that is known.
@@ -50,7 +50,7 @@ fn knowing<'m, E: Describe>(
     tasks: &[Task],
     (index, text): (usize, &str),
 ) -> Skills<'m> {
-    let mut skills = room.lend(environment);
+    let mut skills = room.lend(environment).unwrap();
     observe(environment, &mut skills, tasks, 10);
     know(&mut skills, index, text);
     skills
@@ -84,11 +84,10 @@ fn sequences<E: Environment>(grounding: &Grounding<'_, E>, most: usize) -> Vec<V
 }
 
 fn is_kept<E: Describe>(
-    informed: &Informed<'_, E>,
+    guide: &mut RegionGuide<'_, E>,
     operators: &[GroundOperator],
     places: &[u16],
 ) -> bool {
-    let mut guide = *informed;
     guide.judge(Skeleton::new(operators, places)) == Advice::Keep
 }
 
@@ -154,9 +153,9 @@ fn judge_grasps(
         .take(40)
     {
         let grounding = Grounding::new(&ClutteredTable, task).unwrap();
-        let informed = Informed::new(&ClutteredTable, skills, &task.initial);
+        let mut guide = RegionGuide::new(&ClutteredTable, skills, &task.initial);
         for places in sequences(&grounding, 3) {
-            let kept = is_kept(&informed, &grounding.operators, &places);
+            let kept = is_kept(&mut guide, &grounding.operators, &places);
             let Some((can, others)) = last_grasp(task, &grounding.operators, &places) else {
                 assert!(kept, "nothing is known of dumping");
                 continue;
@@ -181,7 +180,7 @@ fn training_tasks() -> Vec<Task> {
 
 #[test]
 fn a_can_that_is_dumped_is_in_nobodys_way() {
-    let mut skill_room = SkillRoom::new(&ClutteredTable);
+    let mut skill_room = SkillRoom::default();
     let tasks = training_tasks();
     let mut skills = knowing(&mut skill_room, &ClutteredTable, &tasks, (0, FREE));
     // That a grasp cannot work is proven in boxes of some size.
@@ -206,9 +205,9 @@ fn a_can_that_is_dumped_is_in_nobodys_way() {
 
 #[test]
 fn what_was_hardly_seen_may_change_anything() {
-    let mut skill_room = SkillRoom::new(&ClutteredTable);
+    let mut skill_room = SkillRoom::default();
     for dumped in [0, 2, 3] {
-        let mut skills = skill_room.lend(&ClutteredTable);
+        let mut skills = skill_room.lend(&ClutteredTable).unwrap();
         observe(&ClutteredTable, &mut skills, &training_tasks(), dumped);
         know(&mut skills, 0, ALONE);
         let alone = (|can, others: &[_]| nearest(can, others) - 0.15, 0.0);
@@ -223,7 +222,7 @@ fn what_was_hardly_seen_may_change_anything() {
 
 #[test]
 fn what_is_placed_anywhere_is_not_expected_anywhere() {
-    let mut skill_room = SkillRoom::new(&ClutteredTablePlace);
+    let mut skill_room = SkillRoom::default();
     let tasks = recorded::<ClutteredTablePlace>(&CLUTTERED_TABLE_PLACE, "train");
     // The cans of all tasks stand closer, but where they are placed nobody knows.
     let far = (0, "min(dist(can, other_can)) >= 2");
@@ -231,9 +230,9 @@ fn what_is_placed_anywhere_is_not_expected_anywhere() {
     let mut counts = [0; 4];
     for task in &tasks[..10] {
         let grounding = Grounding::new(&ClutteredTablePlace, task).unwrap();
-        let informed = Informed::new(&ClutteredTablePlace, &skills, &task.initial);
+        let mut guide = RegionGuide::new(&ClutteredTablePlace, &skills, &task.initial);
         for places in sequences(&grounding, 3) {
-            let kept = is_kept(&informed, &grounding.operators, &places);
+            let kept = is_kept(&mut guide, &grounding.operators, &places);
             assert_eq!(kept, places.len() > 1, "{places:?}");
             counts[places.len()] += 1;
         }
@@ -243,7 +242,7 @@ fn what_is_placed_anywhere_is_not_expected_anywhere() {
 
 #[test]
 fn what_is_always_the_same_afterwards_is_told_again() {
-    let mut skill_room = SkillRoom::new(&Cover);
+    let mut skill_room = SkillRoom::default();
     let tasks = recorded::<Cover>(&COVER, "train");
     // Only what is held is placed. Where it is held varies, where it is not is one number.
     let held = (1, "block.grasp >= -0.5");
@@ -279,8 +278,8 @@ fn judged(task: &Task, skills: &Skills<'_>, steps: &[&[ObjectId]]) -> bool {
             .unwrap() as u16
     };
     let places: Vec<u16> = steps.iter().map(place).collect();
-    let informed = Informed::new(&Cover, skills, &task.initial);
-    is_kept(&informed, &grounding.operators, &places)
+    let mut guide = RegionGuide::new(&Cover, skills, &task.initial);
+    is_kept(&mut guide, &grounding.operators, &places)
 }
 
 /// Whether operators work one after the other, with parameters that `choose` makes.
@@ -315,17 +314,17 @@ fn centred(ground: &GroundOperator, state: &State) -> f64 {
 
 #[test]
 fn a_place_counts_until_its_block_is_picked_again() {
-    let mut skill_room = SkillRoom::new(&Cover);
+    let mut skill_room = SkillRoom::default();
     let tasks = recorded::<Cover>(&COVER, "train");
     let skills = knowing(&mut skill_room, &Cover, &tasks, ELSEWHERE);
     let (mut counts, mut rng) = ([0; 2], generator(1));
     for task in &tasks[..20] {
         let grounding = Grounding::new(&Cover, task).unwrap();
         let operators = &grounding.operators[..];
-        let informed = Informed::new(&Cover, &skills, &task.initial);
+        let mut guide = RegionGuide::new(&Cover, &skills, &task.initial);
         for places in sequences(&grounding, 6) {
             let mut prefixes = (1..=places.len()).map(|length| &places[..length]);
-            let kept = prefixes.all(|prefix| is_kept(&informed, operators, prefix));
+            let kept = prefixes.all(|prefix| is_kept(&mut guide, operators, prefix));
             assert_eq!(kept, works(task, operators, &places, centred), "{places:?}");
             counts[usize::from(kept)] += 1;
             for _ in 0..20 {
@@ -345,7 +344,7 @@ fn a_place_counts_until_its_block_is_picked_again() {
 
 #[test]
 fn the_same_target_again_with_and_without_the_block_in_between() {
-    let mut skill_room = SkillRoom::new(&Cover);
+    let mut skill_room = SkillRoom::default();
     let tasks = recorded::<Cover>(&COVER, "train");
     let skills = knowing(&mut skill_room, &Cover, &tasks, ELSEWHERE);
     let judged = |steps: &[&[ObjectId]]| judged(&tasks[0], &skills, steps);

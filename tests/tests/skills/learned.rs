@@ -10,7 +10,7 @@ use critreg::plan::{
 };
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
-use critreg::skill::{Describe, Informed, Skills, Training};
+use critreg::skill::{Describe, RegionGuide, RegionSampler, Skills, Training};
 use critreg::task::{Environment, GroundOperator, ObjectId, State, Task, try_operator};
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, learn, tasks};
@@ -40,7 +40,7 @@ fn observe(skills: &mut Skills<'_>) {
         chained: 20,
         budget: 0,
         tasks: 10,
-        instances: 4,
+        situations: 4,
         states: 10,
         learner: critreg::learn::version_space::Config {
             calls: 20,
@@ -48,7 +48,7 @@ fn observe(skills: &mut Skills<'_>) {
             ..Default::default()
         },
     };
-    learn(skills, 1, &training, &mut TrainingRoom::new(&training)).unwrap();
+    learn(skills, 1, &mut TrainingRoom::new(training)).unwrap();
 }
 
 /// Plans with numbers that begin again with each skeleton.
@@ -69,25 +69,32 @@ fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide>(
     planned.unwrap()
 }
 
+/// The region sampler and the region guide of these skills, for a task.
+fn guided<'a>(
+    skills: &'a Skills<'_>,
+    task: &'a Task,
+) -> (RegionSampler<'a, StickButton>, RegionGuide<'a, StickButton>) {
+    let guide = RegionGuide::new(&ENVIRONMENT, skills, &task.initial);
+    (RegionSampler::new(&ENVIRONMENT, skills), guide)
+}
+
 const NODES: usize = 10_000;
 
 // Learning
 
 #[test]
 fn learned_skills_need_about_a_sample_per_step() {
-    let training = Training::default();
-    let mut training_room = TrainingRoom::new(&training);
+    let mut training_room = TrainingRoom::new(Training::default());
     let mut room = Room::new(NODES);
-    let mut skill_rooms = [SkillRoom::new(&ENVIRONMENT), SkillRoom::new(&ENVIRONMENT)];
+    let mut skill_rooms = [SkillRoom::default(), SkillRoom::default()];
     let mut texts = vec![];
     for skill_room in &mut skill_rooms {
-        let mut skills = skill_room.lend(&ENVIRONMENT);
-        let learned = learn(&mut skills, 3, &training, &mut training_room).unwrap();
+        let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
+        let learned = learn(&mut skills, 3, &mut training_room).unwrap();
         let (mut samples, mut length) = (0, 0);
         for task in tasks(77, 3..=4, 50) {
             let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
-            let informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
-            let planned = plan(&task, &grounding, (informed, informed), &mut room);
+            let planned = plan(&task, &grounding, guided(&skills, &task), &mut room);
             assert_eq!(planned.conclusion, Conclusion::Solved);
             samples += planned.metrics.samples;
             length += planned.metrics.plan_length;
@@ -121,8 +128,8 @@ fn learned_skills_need_about_a_sample_per_step() {
 
 #[test]
 fn what_controllers_change_is_seen_while_learning() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
     observe(&mut skills);
     let task = &tasks(1, 2..=2, 1)[0];
     let (button, other) = (FIRST_BUTTON, ObjectId(FIRST_BUTTON.0 + 1));
@@ -163,12 +170,11 @@ fn what_controllers_change_is_seen_while_learning() {
 
 #[test]
 fn a_skill_that_nothing_is_known_of_is_the_original_sampler() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let skills = skill_room.lend(&ENVIRONMENT).unwrap();
     let mut room = Room::new(NODES);
     for task in tasks(5, 1..=2, 30) {
         let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
-        let informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
         let outcome = |planned: Planned<'_, State>| {
             let (metrics, steps) = (planned.metrics, planned.steps.iter());
             let steps: Vec<_> = steps.map(|s| (s.operator, s.parameters.clone())).collect();
@@ -179,7 +185,7 @@ fn a_skill_that_nothing_is_known_of_is_the_original_sampler() {
                 steps,
             )
         };
-        let ours = outcome(plan(&task, &grounding, (informed, informed), &mut room));
+        let ours = outcome(plan(&task, &grounding, guided(&skills, &task), &mut room));
         let original = (grounding.simulated(), Unguided);
         assert_eq!(ours, outcome(plan(&task, &grounding, original, &mut room)));
     }
@@ -229,15 +235,16 @@ fn may_work(state: &State, operators: &[&GroundOperator]) -> bool {
 
 /// Compares each advice with the closed form.
 struct Checked<'a> {
-    informed: Informed<'a, StickButton>,
+    guide: RegionGuide<'a, StickButton>,
+    initial: &'a State,
     counts: [u32; 2],
 }
 
 impl Guide for Checked<'_> {
     fn judge(&mut self, prefix: Skeleton<'_>) -> Advice {
-        let advice = self.informed.judge(prefix);
+        let advice = self.guide.judge(prefix);
         let operators: Vec<_> = prefix.iter().collect();
-        let expected = may_work(self.informed.initial, &operators);
+        let expected = may_work(self.initial, &operators);
         assert_eq!(advice == Advice::Keep, expected, "{prefix:?}");
         self.counts[usize::from(expected)] += 1;
         advice
@@ -246,8 +253,8 @@ impl Guide for Checked<'_> {
 
 #[test]
 fn the_guide_keeps_what_may_work_and_nothing_else() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
     observe(&mut skills);
     // Nothing is known of placing, which depends on where the stick was grasped.
     let regions = [TRUE_REGIONS[0], TRUE_REGIONS[1], "", TRUE_REGIONS[3]];
@@ -263,7 +270,8 @@ fn the_guide_keeps_what_may_work_and_nothing_else() {
             ..Config::default()
         };
         let mut guide = Checked {
-            informed: Informed::new(&ENVIRONMENT, &skills, &task.initial),
+            guide: RegionGuide::new(&ENVIRONMENT, &skills, &task.initial),
+            initial: &task.initial,
             counts: [0; 2],
         };
         let abstracted = grounding.task();
@@ -303,8 +311,8 @@ proptest! {
         seed in 0u64..1000, order in Just(vec![0, 1, 2]).prop_shuffle(),
         places in prop::collection::vec(0usize..1000, 1..5),
     ) {
-        let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-        let mut skills = skill_room.lend(&ENVIRONMENT);
+        let mut skill_room = SkillRoom::default();
+        let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
         know(&mut skills, &TRUE_REGIONS);
         let task = &tasks(seed, 3..=3, 1)[0];
         let other = Task { initial: permuted(&task.initial, &order), goal: task.goal.clone() };
@@ -327,9 +335,9 @@ proptest! {
             found.unwrap() as u16
         }).collect();
         let judge = |task: &Task, grounding: &Grounding<'_, StickButton>, places: &[u16]| {
-            let mut informed = Informed::new(&ENVIRONMENT, &skills, &task.initial);
+            let (mut sampler, mut guide) = guided(&skills, task);
             let skeleton = Skeleton::new(&grounding.operators, places);
-            let kept = informed.judge(skeleton) == Advice::Keep;
+            let kept = guide.judge(skeleton) == Advice::Keep;
             let draw = Draw {
                 skeleton,
                 step: 0,
@@ -338,7 +346,7 @@ proptest! {
                 attempt: 1,
                 advised: true,
             };
-            let drawn = informed.sample(&draw, &mut generator(seed)).unwrap();
+            let drawn = sampler.sample(&draw, &mut generator(seed)).unwrap();
             let parameters = match drawn {
                 Drawn::Parameters(p) | Drawn::Informed(p) => Some(p),
                 Drawn::Empty(_) => None,
@@ -366,7 +374,7 @@ fn end(planned: &Planned<'_, State>) -> (Conclusion, Spent, Vec<u16>) {
 #[test]
 fn wrong_regions_cost_no_plan() {
     let mut room = Room::new(NODES);
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
     let wrong: [[&str; 4]; 4] = [
         ["mu >= 0.9", "", "", ""],
         ["grasp.y >= 2.9", "button.y >= 3", "o >= 0.9", ""],
@@ -375,15 +383,14 @@ fn wrong_regions_cost_no_plan() {
     ];
     let (mut anew, mut solved) = (0, 0);
     for regions in wrong {
-        let mut skills = skill_room.lend(&ENVIRONMENT);
+        let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
         observe(&mut skills);
         know(&mut skills, &regions);
         for run in record::runs().step_by(7) {
             let grounding = Grounding::new(&ENVIRONMENT, &run.task).unwrap();
             let original = (grounding.simulated(), Unguided);
             let original = end(&plan(&run.task, &grounding, original, &mut room));
-            let informed = Informed::new(&ENVIRONMENT, &skills, &run.task.initial);
-            let planned = plan(&run.task, &grounding, (informed, informed), &mut room);
+            let planned = plan(&run.task, &grounding, guided(&skills, &run.task), &mut room);
             if planned.metrics.advised.is_some() {
                 anew += 1;
                 assert_eq!(end(&planned), original, "{}", run.name);
@@ -398,18 +405,16 @@ fn wrong_regions_cost_no_plan() {
 
 #[test]
 fn draws_from_everything_reach_what_a_region_leaves_out() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
     know(&mut skills, &["mu <= 0.25", "", "", ""]);
     let task = &tasks(2, 1..=1, 1)[0];
     let grounding = Grounding::new(&ENVIRONMENT, task).unwrap();
     let is_pick = |o: &GroundOperator| o.objects.as_slice() == [ROBOT, STICK];
     let place = grounding.operators.iter().position(is_pick).unwrap() as u16;
     let outside = |everywhere: f64| {
-        let mut informed = Informed {
-            everywhere,
-            ..Informed::new(&ENVIRONMENT, &skills, &task.initial)
-        };
+        let mut sampler = RegionSampler::new(&ENVIRONMENT, &skills);
+        sampler.everywhere = everywhere;
         let places = [place];
         let skeleton = Skeleton::new(&grounding.operators, &places);
         let mut rng: Generator = generator(1);
@@ -422,7 +427,7 @@ fn draws_from_everything_reach_what_a_region_leaves_out() {
                 attempt: 1,
                 advised: true,
             };
-            match informed.sample(&draw, &mut rng).unwrap() {
+            match sampler.sample(&draw, &mut rng).unwrap() {
                 Drawn::Parameters(p) | Drawn::Informed(p) => p[0] > 0.25,
                 Drawn::Empty(_) => panic!("the region is not empty"),
             }
@@ -447,21 +452,19 @@ fn with_button_at(y: f64) -> Task {
 
 #[test]
 fn why_there_is_no_plan() {
-    let mut skill_room = SkillRoom::new(&ENVIRONMENT);
-    let mut skills = skill_room.lend(&ENVIRONMENT);
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
     observe(&mut skills);
     know(&mut skills, &TRUE_REGIONS);
     let task = with_button_at(5.97);
     let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
-    let informed = Informed {
-        prune: true,
-        ..Informed::new(&ENVIRONMENT, &skills, &task.initial)
-    };
+    let (mut sampler, mut guide) = guided(&skills, &task);
+    guide.prune = true;
     let mut room = Room::new(NODES);
     let mut planner = Planner {
         world: &mut grounding.simulated(),
-        sampler: &mut { informed },
-        guide: &mut { informed },
+        sampler: &mut sampler,
+        guide: &mut guide,
         config: Config {
             max_length: 2,
             ..Config::default()
@@ -479,7 +482,7 @@ fn why_there_is_no_plan() {
     assert_ne!(planned.conclusion, Conclusion::Solved);
     let explain = |reason| {
         let mut text = String::new();
-        informed
+        guide
             .explain(&grounding.operators, reason, &mut text)
             .unwrap();
         text
@@ -515,5 +518,5 @@ fn no_parameters_work_means_none_does() {
         let pressed = try_operator(&ENVIRONMENT, press, &objects, &[], &picked.state);
         assert!(!(picked.is_feasible() && pressed.is_feasible()), "{mu}");
     }
-    assert_eq!(ENVIRONMENT.descriptions().len(), TRUE_REGIONS.len());
+    assert_eq!(StickButton::DESCRIPTIONS.len(), TRUE_REGIONS.len());
 }

@@ -5,4 +5,4 @@ mod judging;
 mod learned;
 mod negative_control;
 mod roles;
-mod settings;
+mod situations;

@@ -45,17 +45,16 @@ fn there_is_no_region_where_only_chance_decides() {
     // Long in vain takes long.
     for (winning, training, seeds) in [(0.5, short, 20), (0.25, short, 20), (0.5, all, 1)] {
         let lottery = Lottery { winning };
-        let mut skill_room = SkillRoom::new(&lottery);
-        let mut room = TrainingRoom::new(&training);
+        let mut skill_room = SkillRoom::default();
+        let mut room = TrainingRoom::new(training);
         for seed in 0..seeds {
-            let mut skills = skill_room.lend(&lottery);
+            let mut skills = skill_room.lend(&lottery).unwrap();
             let task = |_, rng: &mut _| lottery.task(rng);
-            let learned =
-                report::train(&lottery, task, seed, &mut skills, (&training, &mut room)).unwrap();
-            let learned = learned[0];
+            let learned = report::train(&lottery, task, seed, &mut skills, &mut room);
+            let learned = learned.unwrap()[0];
             // It was asked as often as where there is something to learn.
             assert_eq!(
-                (learned.tasks, learned.calls),
+                (learned.tasks, learned.runs),
                 (training.tasks, training.learner.calls.max(training.budget))
             );
             let region = skills.get(0).unwrap().region();

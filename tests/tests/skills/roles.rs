@@ -2,7 +2,7 @@
 
 use critreg::Error;
 use critreg::domain::{Attribute, Dimension, Domain};
-use critreg::skill::{Binding, Changes, Scope};
+use critreg::skill::{Changes, Context, RoleBinding};
 use critreg::task::{
     Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, Predicate,
     PredicateId, State, TypeId,
@@ -28,13 +28,13 @@ impl Environment for Still {
     }
 }
 
-fn scope<'s>(state: &'s State, own: &'s [ObjectId], later: &'s [ObjectId]) -> Scope<'s, Still> {
-    Scope {
+fn context<'s>(state: &'s State, own: &'s [ObjectId], later: &'s [ObjectId]) -> Context<'s, Still> {
+    Context {
         environment: &Still,
         state,
-        own,
-        later,
-        among: &[],
+        objects: own,
+        later_objects: later,
+        members: &[],
     }
 }
 
@@ -97,14 +97,14 @@ fn roles_are_filled_by_their_names() {
     let domain = Domain::parse(&domain).unwrap();
     let own = [HAND, BLOCK, BLOCK];
     let later = [BLOCK, BLOCK, HAND];
-    let binding = Binding::new(&domain, &TYPES, &own, &later).unwrap();
+    let binding = RoleBinding::new(&domain, &TYPES, &own, &later).unwrap();
     assert_eq!(binding.len(), domain.instance_len());
     let mut out = vec![0.0; binding.len()];
     let objects = |ids: [u8; 3]| ids.map(ObjectId);
     let state = blocks(4, 2);
     let (own, later) = (objects([0, 2, 4]), objects([3, 1, 0]));
-    let scope = scope(&state, &own, &later);
-    binding.instance(&scope, &mut out).unwrap();
+    let context = context(&state, &own, &later);
+    binding.instance(&context, &mut out).unwrap();
     let expected = [
         23.0,
         22.0,
@@ -124,12 +124,12 @@ fn roles_are_filled_by_their_names() {
 #[test]
 fn a_later_object_fills_a_role_that_the_first_action_has_not() {
     let domain = Domain::parse("object peg { w: length } object block { x: length }").unwrap();
-    let binding = Binding::new(&domain, &TYPES, &[BLOCK], &[BLOCK, PEG]).unwrap();
+    let binding = RoleBinding::new(&domain, &TYPES, &[BLOCK], &[BLOCK, PEG]).unwrap();
     let (mut out, state) = ([0.0; 2], blocks(2, 2));
     let [first, second] = [1, 2].map(ObjectId);
     let (own, later) = ([second], [first, ObjectId(4)]);
-    let scope = scope(&state, &own, &later);
-    binding.instance(&scope, &mut out).unwrap();
+    let context = context(&state, &own, &later);
+    binding.instance(&context, &mut out).unwrap();
     assert_eq!(out, [41.0, 21.0]);
 }
 
@@ -137,7 +137,7 @@ fn a_later_object_fills_a_role_that_the_first_action_has_not() {
 fn what_is_no_role_is_refused() {
     let read = |text: &str| {
         let domain = Domain::parse(text).unwrap();
-        Binding::new(&domain, &TYPES, &[BLOCK], &[])
+        RoleBinding::new(&domain, &TYPES, &[BLOCK], &[])
     };
     for text in [
         "object wall { x: length }",
@@ -152,8 +152,8 @@ fn what_is_no_role_is_refused() {
     let filled = [0, 1, 2].map(|pegs| {
         let state = blocks(1, pegs);
         let own = [ObjectId(1)];
-        let scope = scope(&state, &own, &[]);
-        binding.instance(&scope, &mut [0.0]).is_ok()
+        let context = context(&state, &own, &[]);
+        binding.instance(&context, &mut [0.0]).is_ok()
     });
     assert_eq!(filled, [false, true, false]);
 }
@@ -197,7 +197,7 @@ fn changes_are_those_that_were_seen() {
 fn others_are_none_of_the_controllers() {
     let read = |text: &str| {
         let domain = Domain::parse(text).unwrap();
-        Binding::new(&domain, &TYPES, &[BLOCK], &[BLOCK]).unwrap()
+        RoleBinding::new(&domain, &TYPES, &[BLOCK], &[BLOCK]).unwrap()
     };
     let (own, later) = ([ObjectId(1)], [ObjectId(3)]);
     let single = read("object other_block { w: length }");
@@ -205,14 +205,14 @@ fn others_are_none_of_the_controllers() {
     let mut numbers = [0.0; 3];
     let state = blocks(3, 0);
     single
-        .instance(&scope(&state, &own, &later), &mut numbers[..1])
+        .instance(&context(&state, &own, &later), &mut numbers[..1])
         .unwrap();
     assert_eq!(numbers[0], 11.0);
     let state = blocks(4, 0);
-    let refused = single.instance(&scope(&state, &own, &later), &mut numbers[..1]);
+    let refused = single.instance(&context(&state, &own, &later), &mut numbers[..1]);
     assert!(matches!(refused, Err(Error::Mismatch(_))), "there are two");
     several
-        .instance(&scope(&state, &own, &later), &mut numbers)
+        .instance(&context(&state, &own, &later), &mut numbers)
         .unwrap();
     assert_eq!(numbers[..2], [11.0, 13.0]);
     assert!(numbers[2].is_nan());
@@ -221,15 +221,15 @@ fn others_are_none_of_the_controllers() {
 #[test]
 fn predicates_narrow_groups() {
     let domain = Domain::parse("object block[4] { w: length } object other_block[4] { w: length }");
-    let binding = Binding::new(&domain.unwrap(), &TYPES, &[BLOCK], &[]).unwrap();
+    let binding = RoleBinding::new(&domain.unwrap(), &TYPES, &[BLOCK], &[]).unwrap();
     let state = blocks(4, 0);
     let among = [PredicateId(0)];
-    let scope = Scope {
-        among: &among,
-        ..scope(&state, &[ObjectId(2)], &[])
+    let context = Context {
+        members: &among,
+        ..context(&state, &[ObjectId(2)], &[])
     };
     let mut numbers = [0.0; 8];
-    binding.instance(&scope, &mut numbers).unwrap();
+    binding.instance(&context, &mut numbers).unwrap();
     assert_eq!(numbers[..2], [11.0, 13.0]);
     // The object of the controller is odd itself.
     assert_eq!(numbers[4..5], [13.0]);

@@ -1,11 +1,70 @@
-//! Statements that declare objects, single ones and groups.
+//! Statements that declare types and objects, single ones and groups.
 
-use super::DomainParser;
-use crate::domain::schema::PoseSlots;
-use crate::domain::{Base, Group, Member, Object};
-use crate::text::{Failed, Token};
+use super::parser::{DomainParser, is_word};
+use crate::domain::declarations::PoseSlots;
+use crate::domain::{Attribute, Base, Group, Member, Object, Type};
+use crate::text::{Failed, Token, split_at_dot};
 
 impl<'t> DomainParser<'_, 't> {
+    #[inline(never)]
+    pub(super) fn type_statement(&mut self) -> Result<(), Failed> {
+        let at = self.lexer.place();
+        let name = self.lexer.expect_name("expected the name of the type")?;
+        if split_at_dot(name).is_some() || is_word(name) {
+            return Err(self.lexer.fail_at(
+                at,
+                "a type has a plain name that is no word of the language",
+            ));
+        }
+        if self.domain.types.iter().any(|t| t.name == name) {
+            return Err(self.lexer.fail_at(at, "this type is declared already"));
+        }
+        self.attributes(name).map(|_| ())
+    }
+
+    /// `{ x: length, ... }`: declares a type with these attributes.
+    fn attributes(&mut self, name: &'t str) -> Result<u8, Failed> {
+        self.lexer.expect("{", "expected `{` and the attributes")?;
+        let first = self.domain.attributes.len();
+        while !self.lexer.accept("}") {
+            let at = self.lexer.place();
+            let attribute = self
+                .lexer
+                .expect_name("expected the name of an attribute or `}`")?;
+            let own = self.domain.attributes.iter().skip(first);
+            if split_at_dot(attribute).is_some() || own.clone().any(|a| a.name == attribute) {
+                return Err(self
+                    .lexer
+                    .fail_at(at, "attributes have plain names, each once"));
+            }
+            self.lexer.expect(":", "expected `:` and a dimension")?;
+            let dimension = self.dimension()?;
+            let attribute = Attribute {
+                name: attribute,
+                dimension,
+            };
+            self.domain
+                .attributes
+                .push(attribute)
+                .map_err(|_| self.lexer.full("attributes of a domain"))?;
+            if !self.lexer.accept(",") {
+                self.lexer.expect("}", "expected `,` or `}`")?;
+                break;
+            }
+        }
+        let kind = Type {
+            name,
+            first: self.small(first)?,
+            count: self.small(self.domain.attributes.len() - first)?,
+        };
+        let index = self.small(self.domain.types.len())?;
+        self.domain
+            .types
+            .push(kind)
+            .map_err(|_| self.lexer.full("types of a domain"))?;
+        Ok(index)
+    }
+
     #[inline(never)]
     pub(super) fn object_statement(&mut self) -> Result<(), Failed> {
         let first = self.domain.objects.len();

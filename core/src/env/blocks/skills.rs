@@ -4,14 +4,12 @@ use super::{Blocks, PUT_ON_TABLE};
 use crate::skill::{Describe, Description};
 
 static DESCRIPTIONS: [Description; 1] = [Description {
-    own: PUT_ON_TABLE,
+    controller: PUT_ON_TABLE,
     later: None,
-    among: &[],
+    members: &[],
     text: include_str!("skills/put_on_table.txt"),
 }];
 
 impl Describe for Blocks {
-    fn descriptions(&self) -> &'static [Description] {
-        &DESCRIPTIONS
-    }
+    const DESCRIPTIONS: &'static [Description] = &DESCRIPTIONS;
 }

@@ -5,18 +5,18 @@ use crate::skill::{Describe, Description};
 
 /// The end of an approach is left to the original sampler, which takes the can's centre.
 const GRASPING: Description = Description {
-    own: GRASP,
+    controller: GRASP,
     later: None,
-    among: &[UNTRASHED],
+    members: &[UNTRASHED],
     text: include_str!("skills/grasp.txt"),
 };
 
 static WITH_DUMP: [Description; 2] = [
     GRASPING,
     Description {
-        own: DUMP,
+        controller: DUMP,
         later: None,
-        among: &[],
+        members: &[],
         text: include_str!("skills/dump.txt"),
     },
 ];
@@ -24,21 +24,17 @@ static WITH_DUMP: [Description; 2] = [
 static WITH_PLACE: [Description; 2] = [
     GRASPING,
     Description {
-        own: PLACE,
+        controller: PLACE,
         later: None,
-        among: &[UNTRASHED],
+        members: &[UNTRASHED],
         text: include_str!("skills/place.txt"),
     },
 ];
 
 impl Describe for ClutteredTable {
-    fn descriptions(&self) -> &'static [Description] {
-        &WITH_DUMP
-    }
+    const DESCRIPTIONS: &'static [Description] = &WITH_DUMP;
 }
 
 impl Describe for ClutteredTablePlace {
-    fn descriptions(&self) -> &'static [Description] {
-        &WITH_PLACE
-    }
+    const DESCRIPTIONS: &'static [Description] = &WITH_PLACE;
 }

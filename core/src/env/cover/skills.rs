@@ -4,19 +4,19 @@ use super::{Cover, CoverRegrasp, RegionalBumpyCover};
 use crate::skill::{Describe, Description};
 use crate::task::ControllerId;
 
-const fn alone(own: ControllerId, text: &'static str) -> Description {
+const fn alone(controller: ControllerId, text: &'static str) -> Description {
     Description {
-        own,
+        controller,
         later: None,
-        among: &[],
+        members: &[],
         text,
     }
 }
 
-const fn chained(own: ControllerId, later: ControllerId, text: &'static str) -> Description {
+const fn chained(controller: ControllerId, later: ControllerId, text: &'static str) -> Description {
     Description {
         later: Some(later),
-        ..alone(own, text)
+        ..alone(controller, text)
     }
 }
 
@@ -70,19 +70,13 @@ static REGIONAL_BUMPY_COVER: [Description; 4] = [
 ];
 
 impl Describe for Cover {
-    fn descriptions(&self) -> &'static [Description] {
-        &COVER
-    }
+    const DESCRIPTIONS: &'static [Description] = &COVER;
 }
 
 impl Describe for CoverRegrasp {
-    fn descriptions(&self) -> &'static [Description] {
-        &COVER_REGRASP
-    }
+    const DESCRIPTIONS: &'static [Description] = &COVER_REGRASP;
 }
 
 impl Describe for RegionalBumpyCover {
-    fn descriptions(&self) -> &'static [Description] {
-        &REGIONAL_BUMPY_COVER
-    }
+    const DESCRIPTIONS: &'static [Description] = &REGIONAL_BUMPY_COVER;
 }

@@ -12,29 +12,27 @@ macro_rules! text {
 
 static DESCRIPTIONS: [Description; 3] = [
     Description {
-        own: PICK,
+        controller: PICK,
         later: None,
-        among: &[],
+        members: &[],
         text: text!("skills/pick.txt"),
     },
     Description {
-        own: PLACE,
+        controller: PLACE,
         later: None,
-        among: &[],
+        members: &[],
         text: text!("skills/place.txt"),
     },
     Description {
-        own: PICK,
+        controller: PICK,
         later: Some(PLACE),
-        among: &[],
+        members: &[],
         text: text!("skills/pick_place.txt"),
     },
 ];
 
 impl Describe for Shelf {
-    fn descriptions(&self) -> &'static [Description] {
-        &DESCRIPTIONS
-    }
+    const DESCRIPTIONS: &'static [Description] = &DESCRIPTIONS;
 }
 
 #[cfg(test)]
@@ -66,7 +64,7 @@ mod tests {
             let constants = skill.domain().constants().iter();
             let constants: std::vec::Vec<_> = constants.map(|c| (c.name, c.value)).collect();
             assert_eq!(constants, expected);
-            let controller = usize::from(skill.description().own.0);
+            let controller = usize::from(skill.description().controller.0);
             let controller = &Shelf::CONTROLLERS[controller];
             let parameters = skill.domain().parameters().iter();
             let ranges: std::vec::Vec<_> = parameters.map(|p| [p.low, p.high]).collect();

@@ -12,35 +12,33 @@ macro_rules! text {
 
 static DESCRIPTIONS: [Description; 4] = [
     Description {
-        own: PICK_STICK,
+        controller: PICK_STICK,
         later: None,
-        among: &[],
+        members: &[],
         text: text!("skills/pick.txt"),
     },
     Description {
-        own: ROBOT_PRESS_BUTTON,
+        controller: ROBOT_PRESS_BUTTON,
         later: None,
-        among: &[],
+        members: &[],
         text: text!("skills/press.txt"),
     },
     Description {
-        own: PLACE_STICK,
+        controller: PLACE_STICK,
         later: None,
-        among: &[],
+        members: &[],
         text: text!("skills/place.txt"),
     },
     Description {
-        own: PICK_STICK,
+        controller: PICK_STICK,
         later: Some(STICK_PRESS_BUTTON),
-        among: &[],
+        members: &[],
         text: text!("skills/reach.txt"),
     },
 ];
 
 impl Describe for StickButton {
-    fn descriptions(&self) -> &'static [Description] {
-        &DESCRIPTIONS
-    }
+    const DESCRIPTIONS: &'static [Description] = &DESCRIPTIONS;
 }
 
 #[cfg(test)]
@@ -59,7 +57,7 @@ mod tests {
         let skills = Skills::new(&environment, &mut skills, &mut changes).unwrap();
         for skill in skills.iter() {
             assert_eq!(skill.domain().constants(), pick.constants());
-            let controller = usize::from(skill.description().own.0);
+            let controller = usize::from(skill.description().controller.0);
             let controller = &StickButton::CONTROLLERS[controller];
             let parameters = skill.domain().parameters().iter();
             let ranges: std::vec::Vec<_> = parameters.map(|p| [p.low, p.high]).collect();

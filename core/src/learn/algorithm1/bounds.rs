@@ -3,6 +3,7 @@
 use crate::domain::NodeId;
 use crate::grammar::{Comparison, Features, Hypotheses, Run, bit, feature_id};
 use crate::real::Real;
+use crate::table::Blank;
 
 /// The tightest numeric bound on a left side from one direction, and the
 /// hypothesis it came from.
@@ -21,13 +22,11 @@ pub struct Bounds<R> {
     candidate: [Option<Bound<R>>; 2],
 }
 
-impl<R> Default for Bounds<R> {
-    fn default() -> Self {
-        Bounds {
-            recorded: [None, None],
-            candidate: [None, None],
-        }
-    }
+impl<R> Blank for Bounds<R> {
+    const BLANK: Self = Bounds {
+        recorded: [None, None],
+        candidate: [None, None],
+    };
 }
 
 impl<R: Real> Bound<R> {
@@ -60,7 +59,7 @@ pub(super) struct BoundTable<'m, R> {
 impl<'m, R: Real> BoundTable<'m, R> {
     /// An empty table in borrowed memory.
     pub(super) fn new(lefts: &'m mut [Bounds<R>]) -> Self {
-        lefts.fill(Bounds::default());
+        lefts.fill(Bounds::BLANK);
         BoundTable { lefts }
     }
 
@@ -74,7 +73,7 @@ impl<'m, R: Real> BoundTable<'m, R> {
     }
 
     /// Brings the bounds up to date with the hypotheses that are left.
-    pub(super) fn settle(
+    pub(super) fn tighten(
         &mut self,
         hypotheses: &mut Hypotheses<'_>,
         features: &Features<'_, R>,

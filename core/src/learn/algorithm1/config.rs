@@ -1,9 +1,7 @@
 //! What Algorithm 1 is given, and what it reports.
 
-use super::bounds::Bounds;
-use crate::domain::Node;
 use crate::grammar::Enumeration;
-use crate::learn::Observation;
+use crate::learn::tables::memory;
 use crate::region::Theta;
 
 /// How many hypotheses and observations a learner has room for.
@@ -16,14 +14,14 @@ pub struct Capacity {
 }
 
 impl Capacity {
-    /// Room for features: enough for the pairs of any usual domain.
+    /// Features: enough for the pairs of any usual domain.
     pub const fn features(self) -> usize {
         let wanted = 128 + self.hypotheses / 32;
         if wanted < 60_000 { wanted } else { 60_000 }
     }
 
-    /// Room for left sides.
-    pub const fn lefts(self) -> usize {
+    /// Left sides.
+    pub const fn lhs(self) -> usize {
         self.features() / 4
     }
 
@@ -31,25 +29,36 @@ impl Capacity {
     pub const fn pairs(self) -> usize {
         self.hypotheses / 4
     }
+
+    /// Observations.
+    pub const fn observations(self) -> usize {
+        self.observations
+    }
 }
 
-/// The tables of a learner, lent by the caller. Each must have at least the
-/// length that [`Capacity`] tells; what is longer is not used.
-#[derive(Debug)]
-pub struct Memory<'m, R> {
-    /// [`Capacity::features`] terms.
-    pub features: &'m mut [Node],
-    /// [`Capacity::features`] numbers.
-    pub values: &'m mut [R],
-    /// [`Capacity::pairs`] bytes.
-    pub pairs: &'m mut [u8],
-    /// [`Capacity::lefts`] bounds.
-    pub bounds: &'m mut [Bounds<R>],
-    /// [`Capacity::observations`] observations.
-    pub observations: &'m mut [Observation],
+/// The one list of its tables, see `learn/tables.rs`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! algorithm1_tables {
+    ([$($receiver:tt)*] $real:ty $(, $($argument:tt)*)?) => {
+        $($receiver)*! {
+            [$($($argument)*)?]
+            /// Terms.
+            features: $crate::domain::Node, features;
+            /// Their values at the sample that was told last.
+            values: $real, features;
+            /// Hypotheses: a byte for the four comparisons of a pair of features.
+            pairs: u8, pairs;
+            /// Numeric bounds on left sides.
+            bounds: $crate::learn::algorithm1::Bounds<$real>, lhs;
+            /// What was asked and told.
+            observations: $crate::learn::Observation, observations;
+        }
+    };
 }
+algorithm1_tables! { [memory] R }
 
-/// What decides the questions of [`Algorithm1`](super::Algorithm1).
+/// What decides the queries of [`Algorithm1`](super::Algorithm1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Config {
     /// Seed of all random choices.

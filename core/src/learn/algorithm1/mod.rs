@@ -44,16 +44,15 @@ pub use config::{Capacity, Config, Memory, Report};
 
 use super::log::Observation;
 use super::problem::Problem;
-use super::{Learner, Outcome, Query, cut};
-use crate::domain::{
-    CHECKSUM, Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene,
-};
+use super::{Learner, Outcome, Query};
+use crate::domain::{Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene};
 use crate::error::Error;
 use crate::grammar::{Features, Formula, Hypotheses, Inequality};
 use crate::random::{Generator, below, generator, uniform_in};
 use crate::real::Real;
 use crate::region::{Region, Theta};
 use crate::table::Table;
+use crate::wire::CHECKSUM;
 use bounds::BoundTable;
 
 /// Where learning stands.
@@ -68,8 +67,10 @@ enum Phase {
 /// The thesis's learner.
 ///
 /// ```
-/// use critreg::domain::{Domain, Node};
-/// use critreg::learn::*;
+/// use critreg::domain::Domain;
+/// use critreg::learn::algorithm1::{Bounds, Capacity, Config, Memory};
+/// use critreg::learn::{Algorithm1, Observation, Outcome, Problem, learn_region};
+/// use critreg::{domain::Node, table::Blank};
 /// # fn main() -> Result<(), critreg::Error> {
 /// let domain = Domain::parse(
 ///     "object wall { x: length, y: length }
@@ -78,15 +79,12 @@ enum Phase {
 /// )?;
 /// let problem = Problem::new(&domain, &[2.0, 0.0, 3.0, 0.0], 2)?;
 /// let capacity = Capacity { hypotheses: 1024, observations: 64 };
-/// let (mut nodes, mut values) = ([Node::Number(0.0); 160], [0.0; 160]);
-/// let (mut pairs, mut bounds) = ([0; 256], [Bounds::default(); 40]);
-/// let mut observations = [Observation::default(); 64];
 /// let memory = Memory {
-///     features: &mut nodes,
-///     values: &mut values,
-///     pairs: &mut pairs,
-///     bounds: &mut bounds,
-///     observations: &mut observations,
+///     features: &mut [Node::BLANK; 160],
+///     values: &mut [0.0; 160],
+///     pairs: &mut [0; 256],
+///     bounds: &mut [Bounds::BLANK; 40],
+///     observations: &mut [Observation::BLANK; 64],
 /// };
 /// let theta = |reach| [reach, 0.0, 0.0, 0.0, 0.0, 0.0];
 /// let config = Config {
@@ -140,14 +138,11 @@ impl<'m, R: Real> Algorithm1<'m, R> {
                 "Algorithm 1 learns about parameters, and the domain declares none",
             ));
         }
-        let nodes = cut(memory.features, capacity.features())?;
-        let values = cut(memory.values, capacity.features())?;
-        let features = Features::enumerate(domain, nodes, values)?;
-        let pairs = cut(memory.pairs, capacity.pairs())?;
-        let hypotheses = Hypotheses::enumerate(&features, pairs);
-        let bounds = BoundTable::new(cut(memory.bounds, capacity.lefts())?);
-        let observations = cut(memory.observations, capacity.observations)?;
-        let observations = Table::new(observations, "observations");
+        let memory = memory.cut(capacity)?;
+        let features = Features::enumerate(domain, memory.features, memory.values)?;
+        let hypotheses = Hypotheses::enumerate(&features, memory.pairs);
+        let bounds = BoundTable::new(memory.bounds);
+        let observations = Table::new(memory.observations, "observations");
         for sample in [config.negative, config.positive].iter().flatten() {
             check_sample(domain, sample)?;
         }
@@ -317,7 +312,7 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
             Some(feasible) => {
                 self.hypotheses.update(&self.features, feasible);
                 self.bounds
-                    .settle(&mut self.hypotheses, &self.features, feasible);
+                    .tighten(&mut self.hypotheses, &self.features, feasible);
                 self.rebuild_region(problem.domain());
                 self.report.feasible += usize::from(feasible);
             }

@@ -7,26 +7,19 @@
 //! wrong side count, of which there are as many as were asked there, but the
 //! instances and how far they stray.
 
-use super::forms::{Forms, Set, Side, tolerance};
-use super::set::members;
+use super::forms::{DirectedForm, Forms, SampleSet, StepView, tolerance};
+use super::tuning::Tuning;
 use crate::real::Real;
 use heapless::Vec;
 
-/// What an instance that strays costs, in bits; what it costs more per range of the
-/// form; and what each of its samples costs if it has no boundary of its own.
-const STRAY: f64 = 0.7;
-const STRAY_PER_RANGE: f64 = 280.0;
-const STRAY_SAMPLE: f64 = 2.0;
 /// Most instances that stray from one bound.
 const MAX_STRAYS: usize = 16;
-/// Where between its ends a bound is drawn.
-const SHARE: f64 = 0.4;
 
-/// A form with its bounds, outwards: feasible up to `inner`, infeasible from
-/// `outer`.
+/// A form with the ends of its threshold, outwards: feasible up to `inner`, the end of S,
+/// infeasible from `outer`, the beginning of G.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bound<R> {
-    pub(super) side: Side,
+    pub(super) form: DirectedForm,
     pub(super) inner: R,
     pub(super) outer: R,
     /// How far the form ranges over the samples.
@@ -43,38 +36,37 @@ struct Stray<R> {
 }
 
 impl<R: Real> Bound<R> {
-    /// A form of which only S is known.
-    pub(super) fn inside(forms: &Forms<'_, R>, side: Side, step: usize) -> Self {
+    /// A bound that nothing strays from.
+    pub(super) fn new(form: DirectedForm, inner: R, outer: R, range: R) -> Self {
         Bound {
-            side,
-            inner: forms.last_feasible(&side, step),
-            outer: R::INFINITY,
-            range: R::ZERO,
+            form,
+            inner,
+            outer,
+            range,
             strain: R::ZERO,
         }
     }
 
-    /// The bound that has `inside` on the one side and `outside` on the other, with
-    /// as little strain as possible. `None` if some instance would stray by more
+    /// A form of which only S is known.
+    pub(super) fn inside(view: &StepView<'_, '_, R>, form: DirectedForm) -> Self {
+        Bound::new(form, view.last_feasible(&form), R::INFINITY, R::ZERO)
+    }
+
+    /// The bound that has the feasible samples on the one side and `outside` on the other,
+    /// with as little strain as possible. `None` if some instance would stray by more
     /// than `slack` of the form's range.
     pub(super) fn between(
-        forms: &Forms<'_, R>,
-        side: Side,
-        inside: &Set,
-        outside: &Set,
+        view: &StepView<'_, '_, R>,
+        form: DirectedForm,
+        outside: &SampleSet,
         range: R,
         slack: f64,
     ) -> Option<Self> {
-        let value = |sample: usize| forms.value_at(&side, sample);
-        let last = members(inside).map(value).fold(-R::INFINITY, R::max);
-        let first = members(outside).map(value).fold(R::INFINITY, R::min);
-        let mut bound = Bound {
-            side,
-            inner: last,
-            outer: first,
-            range,
-            strain: R::ZERO,
-        };
+        let value = |sample: usize| view.value(&form, sample);
+        let last = view.feasible.iter().map(value);
+        let last = last.fold(R::NEG_INFINITY, R::max);
+        let first = view.first_of(&form, outside);
+        let mut bound = Bound::new(form, last, first, range);
         if first > last + tolerance(last) {
             return Some(bound);
         }
@@ -83,13 +75,13 @@ impl<R: Real> Bound<R> {
             return None;
         }
         let mut best: Option<Self> = None;
-        let ends = members(outside).map(value);
+        let ends = outside.iter().map(value);
         for outer in ends.filter(|end| *end <= first + zone + zone) {
-            let below = members(inside).map(value).filter(|v| *v < outer);
-            bound.inner = below.fold(-R::INFINITY, R::max);
+            let below = view.feasible.iter().map(value).filter(|v| *v < outer);
+            bound.inner = below.fold(R::NEG_INFINITY, R::max);
             bound.outer = outer;
             let open = bound.inner.is_finite() && outer - bound.inner > tolerance(last);
-            if open && bound.measure_strain(forms, inside, outside, zone) {
+            if open && bound.measure_strain(view, outside, zone) {
                 let better = best.is_none_or(|b| bound.strain < b.strain);
                 best = if better { Some(bound) } else { best };
             }
@@ -98,15 +90,10 @@ impl<R: Real> Bound<R> {
     }
 
     /// `false` if some instance strays too far.
-    fn measure_strain(
-        &mut self,
-        forms: &Forms<'_, R>,
-        inside: &Set,
-        outside: &Set,
-        zone: R,
-    ) -> bool {
+    fn measure_strain(&mut self, view: &StepView<'_, '_, R>, outside: &SampleSet, zone: R) -> bool {
+        let forms = view.forms;
         let mut strays: Vec<Stray<R>, MAX_STRAYS> = Vec::new();
-        let at = self.middle();
+        let threshold = self.threshold(forms.tuning());
         let mut note = |sample: usize, by: R| {
             if by <= R::ZERO {
                 return true;
@@ -124,33 +111,47 @@ impl<R: Real> Bound<R> {
             };
             strays.push(stray).is_ok() && by <= zone
         };
-        let value = |sample: usize| forms.value_at(&self.side, sample);
-        let fits = members(inside).all(|sample| note(sample, value(sample) - at))
-            && members(outside).all(|sample| note(sample, at - value(sample)));
+        let value = |sample: usize| view.value(&self.form, sample);
+        let inside = &view.feasible;
+        let fits = inside.iter().all(|s| note(s, value(s) - threshold))
+            && outside.iter().all(|s| note(s, threshold - value(s)));
         if !fits {
             return false;
         }
-        let cost = |stray: &Stray<R>| {
-            let own = |set| {
-                let own = members(set).filter(|s| forms.instance_of(*s) == stray.instance);
-                own.map(value)
+        let ends_in = |instance: usize| {
+            let own = |set: &SampleSet, worst: R, further: fn(R, R) -> R| {
+                let own = set.iter().filter(|s| forms.instance_of(*s) == instance);
+                own.map(value).fold(worst, further)
             };
-            let last = own(inside).fold(-R::INFINITY, R::max);
-            let first = own(outside).fold(R::INFINITY, R::min);
-            let mixed = if last < first { 0.0 } else { STRAY_SAMPLE };
-            STRAY
-                + STRAY_PER_RANGE * (stray.by / self.range).to_f64()
-                + mixed * f64::from(stray.samples)
+            let last = own(inside, R::NEG_INFINITY, R::max);
+            (last, own(outside, R::INFINITY, R::min))
         };
-        self.strain = R::from_f64(strays.iter().map(cost).sum());
+        let costs = strays.iter().map(|stray| {
+            let (last, first) = ends_in(stray.instance);
+            self.cost_of(stray, last < first, forms)
+        });
+        self.strain = R::from_f64(costs.sum());
         true
     }
 
+    /// What an instance that strays costs, in bits; it may have a boundary of its own.
+    fn cost_of(&self, stray: &Stray<R>, own_boundary: bool, forms: &Forms<'_, R>) -> f64 {
+        let tuning = forms.tuning();
+        let mixed = if own_boundary {
+            0.0
+        } else {
+            tuning.stray_sample
+        };
+        tuning.stray
+            + tuning.stray_distance * (stray.by / self.range).to_f64()
+            + mixed * f64::from(stray.samples)
+    }
+
     /// Where the bound is drawn.
-    pub(super) fn middle(&self) -> R {
+    pub(super) fn threshold(&self, tuning: &Tuning) -> R {
         let gap = self.outer - self.inner;
         if gap.is_finite() {
-            self.inner + gap * R::from_f64(SHARE)
+            self.inner + gap * R::from_f64(tuning.threshold_share)
         } else {
             self.inner
         }

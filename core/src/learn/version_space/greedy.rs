@@ -1,70 +1,75 @@
-//! The greedy choice of the next form of an explanation.
+//! The greedy choice of the next bound of a hypothesis.
 
-use super::chosen::first_of;
-use super::forms::{Forms, Set, Side};
-use super::set::intersect;
+use super::forms::{DirectedForm, SampleSet, StepView};
+use super::tuning::Tuning;
 use crate::real::Real;
 
-/// By how much the count of a form is reduced in a greedy choice, by the level of
-/// its right side.
-const REDUCTION: [f64; 4] = [0.0, 0.1, 0.15, 0.2];
-
-/// What an explanation is made with.
+/// By how much chance and complexity change what the greedy choice counts.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Taste {
-    /// How much chance blurs the counts.
-    pub(super) whim: f64,
-    /// How much the price of a form counts.
-    pub(super) plainness: f64,
+pub(super) struct Randomisation {
+    /// How much chance blurs the counts, as a share.
+    pub(super) noise: f64,
+    /// How much the discount of complex forms counts.
+    pub(super) complexity_weight: f64,
 }
 
-impl Taste {
-    /// The best explanation is made with this.
-    pub(super) const SOBER: Taste = Taste {
-        whim: 0.0,
-        plainness: 1.0,
+impl Randomisation {
+    /// No chance: the plain greedy choice.
+    pub(super) const GREEDY: Randomisation = Randomisation {
+        noise: 0.0,
+        complexity_weight: 1.0,
     };
 
-    /// The taste of a member of the committee: some like it plain, so that chance
-    /// chooses among the few simple forms and not among the many others.
-    pub(super) fn of_member(member: usize) -> Taste {
-        Taste {
-            whim: 0.3,
-            plainness: if member.is_multiple_of(2) { 1.0 } else { 4.0 },
+    /// That of a member of the committee: every other one discounts complex forms more, so
+    /// that chance chooses among the few simple forms and not among the many others.
+    pub(super) fn of_member(member: usize, tuning: &Tuning) -> Randomisation {
+        Randomisation {
+            noise: tuning.committee_noise,
+            complexity_weight: if member.is_multiple_of(2) {
+                1.0
+            } else {
+                tuning.committee_plainness
+            },
         }
     }
 
-    /// By which share a count is reduced for a right side.
-    pub(super) fn reduction(&self, level: u8) -> f64 {
-        let own = REDUCTION.get(usize::from(level)).copied();
-        self.plainness * own.unwrap_or(0.0)
+    /// By which share a count is discounted for the level of a right side.
+    pub(super) fn discount(&self, level: u8, tuning: &Tuning) -> f64 {
+        let discount = match level {
+            0 => 0.0,
+            1 => tuning.discount_attribute,
+            2 => tuning.discount_distance,
+            _ => tuning.discount_scaled,
+        };
+        self.complexity_weight * discount
     }
 }
 
-/// The form that excludes most of `left`, with a preference for simple ones; among
-/// equals the one whose bounds are closest, as it fits the boundary best.
-pub(super) fn best_side<R: Real>(
-    forms: &Forms<'_, R>,
-    left: &Set,
-    step: usize,
-    taste: Taste,
+/// The form that excludes most of `open`, with a preference for simple ones; among
+/// equals the one whose ends are closest, as it fits the boundary best.
+pub(super) fn best_form<R: Real>(
+    view: &StepView<'_, '_, R>,
+    open: &SampleSet,
+    randomisation: Randomisation,
     salt: u32,
-) -> Option<Side> {
-    let mut best: Option<Side> = None;
+) -> Option<DirectedForm> {
+    let tuning = view.forms.tuning();
+    let mut best: Option<DirectedForm> = None;
     let (mut most, mut closest) = (0.0, R::INFINITY);
-    forms.for_each_count(step, left, &mut |side, count| {
-        let mut score = f64::from(count) * (1.0 - taste.reduction(side.level));
-        if taste.whim > 0.0 {
-            score *= 1.0 + taste.whim * scatter(salt, &side);
+    view.for_each_count(open, &mut |form, count| {
+        let discount = randomisation.discount(form.level, tuning);
+        let mut score = f64::from(count) * (1.0 - discount);
+        if randomisation.noise > 0.0 {
+            score *= 1.0 + randomisation.noise * scatter(salt, &form);
         }
         if score < most {
             return;
         }
-        let mut own = forms.excluded(&side, step);
-        intersect(&mut own, left);
-        let gap = first_of(forms, &side, &own) - forms.last_feasible(&side, step);
+        let mut own = view.excluded(&form);
+        own.intersect(open);
+        let gap = view.first_of(&form, &own) - view.last_feasible(&form);
         if score > most || gap < closest {
-            (best, most, closest) = (Some(side), score, gap);
+            (best, most, closest) = (Some(form), score, gap);
         }
     });
     best
@@ -72,8 +77,8 @@ pub(super) fn best_side<R: Real>(
 
 /// A number in `[0, 1)` that depends on a form and a salt only (a finaliser of
 /// MurmurHash3).
-fn scatter(salt: u32, side: &Side) -> f64 {
-    let mut x = salt ^ (2 * side.form + u32::from(side.upper)).wrapping_mul(0x9E37_79B9);
+fn scatter(salt: u32, form: &DirectedForm) -> f64 {
+    let mut x = salt ^ (2 * form.index + u32::from(form.upper)).wrapping_mul(0x9E37_79B9);
     x = (x ^ (x >> 16)).wrapping_mul(0x85EB_CA6B);
     x = (x ^ (x >> 13)).wrapping_mul(0xC2B2_AE35);
     f64::from(x ^ (x >> 16)) / 4_294_967_296.0

@@ -6,8 +6,7 @@
 //! they disagree.
 
 use super::VersionSpace;
-use super::forms::{MAX_LEFTS, MAX_WORDS};
-use super::set::{insert, is_empty, members, remove};
+use super::forms::{MAX_LHS, SampleSet, StepView};
 use crate::error::Error;
 use crate::learn::{Problem, Query};
 use crate::real::Real;
@@ -28,18 +27,19 @@ impl<R: Real> VersionSpace<'_, R> {
     /// at all forms and infeasible samples.
     ///
     /// # Errors
-    /// [`Error::OutOfSequence`] before the first question; [`Error::Mismatch`] for
+    /// [`Error::OutOfSequence`] before the first query; [`Error::Mismatch`] for
     /// another problem; [`Error::InvalidArgument`] for an instance that is none.
     pub fn membership(&self, problem: &Problem<'_>, query: &Query) -> Result<Membership, Error> {
         if self.problem.is_none() {
             return Err(Error::OutOfSequence("ask for a sample first"));
         }
         problem.check_begun(self.problem)?;
-        let mut lefts = [R::ZERO; MAX_LEFTS];
-        self.forms.evaluate_query(problem, query, &mut lefts)?;
+        let mut lhs = [R::ZERO; MAX_LHS];
+        self.forms.evaluate_query(problem, query, &mut lhs)?;
         let mut all = Membership::Feasible;
         for step in 0..self.capacity.steps {
-            match self.membership_of_step(query.instance, &lefts, step) {
+            let view = StepView::new(&self.forms, step);
+            match membership(&view, query.instance, &lhs) {
                 Membership::Feasible => {}
                 Membership::Infeasible => return Ok(Membership::Infeasible),
                 Membership::Unknown => all = Membership::Unknown,
@@ -47,31 +47,30 @@ impl<R: Real> VersionSpace<'_, R> {
         }
         Ok(all)
     }
+}
 
-    fn membership_of_step(&self, instance: usize, lefts: &[R], step: usize) -> Membership {
-        let forms = &self.forms;
-        let infeasible = forms.infeasible(step);
-        // What is excluded by some form, now and after taking the sample in.
-        let (mut open, mut left) = (infeasible, infeasible);
-        let mut inside = true;
-        forms.for_each_side(u8::MAX, |side| {
-            let value = forms.value(&side, instance, lefts);
-            inside &= value <= forms.last_feasible(&side, step);
-            let mut excluded = forms.excluded(&side, step);
-            remove(&mut open, &excluded);
-            let mut admitted = [0; MAX_WORDS];
-            for sample in members(&excluded) {
-                if forms.value_at(&side, sample) <= value {
-                    insert(&mut admitted, sample);
-                }
+/// What the answers about one step prove.
+fn membership<R: Real>(view: &StepView<'_, '_, R>, instance: usize, lhs: &[R]) -> Membership {
+    // What no form excludes, now and after taking the sample in.
+    let (mut open, mut left) = (view.infeasible, view.infeasible);
+    let mut inside = true;
+    view.forms.for_each(u8::MAX, |form| {
+        let value = view.forms.value(&form, instance, lhs);
+        inside &= value <= view.last_feasible(&form);
+        let mut excluded = view.excluded(&form);
+        open.subtract(&excluded);
+        let mut admitted = SampleSet::EMPTY;
+        for sample in excluded.iter() {
+            if view.value(&form, sample) <= value {
+                admitted.insert(sample);
             }
-            remove(&mut excluded, &admitted);
-            remove(&mut left, &excluded);
-        });
-        match (is_empty(&open), is_empty(&left)) {
-            (true, false) => Membership::Infeasible,
-            (true, true) if inside => Membership::Feasible,
-            _ => Membership::Unknown,
         }
+        excluded.subtract(&admitted);
+        left.subtract(&excluded);
+    });
+    match (open.is_empty(), left.is_empty()) {
+        (true, false) => Membership::Infeasible,
+        (true, true) if inside => Membership::Feasible,
+        _ => Membership::Unknown,
     }
 }

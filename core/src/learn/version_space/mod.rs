@@ -1,29 +1,29 @@
-//! The sound learner: every explanation of the answers, and questions that tell
+//! The sound learner: every explanation of the answers, and queries that tell
 //! them apart.
 //!
-//! *Forms.* A form is a difference `left - right` of a feature of the sample and
-//! a feature of the instance, or nothing. A constraint bounds a form from one
+//! *Forms.* A form is a difference `lhs - rhs` of a feature of the sample and
+//! a feature of the instance, or nothing. A bound limits a form from one
 //! side. The thresholds that agree with the answers are an interval [S, G): S is
 //! the extreme value over the feasible samples, G that of the first infeasible
-//! sample that the constraint has to exclude (Mitchell 1982).
+//! sample that the bound has to exclude (Mitchell 1982).
 //!
-//! *Soundness.* A feasible sample satisfies every constraint, so it widens S of
+//! *Soundness.* A feasible sample satisfies every constraint, so it extends S of
 //! every form; a form that excludes nothing is harmless. An infeasible sample
 //! only says that some constraint fails, so it deletes nothing: it is kept, and
-//! every explanation must exclude it. S of every form and the list of infeasible
+//! every hypothesis must exclude it. S of every form and the list of infeasible
 //! samples are the whole version space (Hirsh, Mishra and Pitt 1997; Hirsh 1992).
 //!
-//! *Explanations* are the fewest and simplest forms that exclude all infeasible
-//! samples, by greedy set cover (Haussler 1988; the set covering machine of
-//! Marchand and Shawe-Taylor 2002). A committee of them, blurred by chance, votes
+//! *Hypotheses* are conjunctions of the fewest and simplest clauses that exclude all
+//! infeasible samples, by greedy set cover (Haussler 1988; the set covering machine of
+//! Marchand and Shawe-Taylor 2002). A committee of them, chosen with some chance, votes
 //! on candidates, and where the vote is split is asked (query by committee,
 //! Seung, Opper and Sompolinsky 1992); where all agree, in the widest gap between
-//! S and G. Some questions look anywhere, for a gap that nobody suspects.
+//! S and G. Some queries look anywhere, for a gap that nobody suspects.
 //!
-//! *Which explanation is best* is a matter of length in bits: that of its constraints,
+//! *Which hypothesis is best* is a matter of length in bits: that of its clauses,
 //! and that of what strays from them (minimum description length, Rissanen 1978). When
-//! it becomes longer, or when nothing is left to ask, there is an election among
-//! explanations that are improved constraint by constraint.
+//! it becomes longer, or when nothing is left to ask, one is selected anew among
+//! hypotheses that are improved clause by clause.
 //!
 //! *Soft boundaries.* Some actions work a little beyond a boundary, or fail a little
 //! before it. Where [`Config::slack`] allows, an instance may have a boundary of its
@@ -31,23 +31,23 @@
 //! instances, the region agrees with every answer.
 //!
 //! *More than bounds.* Where no bound excludes an infeasible sample, or only many do, a
-//! constraint may have two bounds, one of which must hold: an excluded interval of one
+//! clause may be a disjunction of two bounds: an excluded interval of one
 //! form, or a feasible set of two pieces.
 //!
 //! *Names.* If the simplest constant expression of the grammar in [S, G) is the
 //! only one of its kind, it is the threshold: measurements then end in exact
 //! values.
 //!
-//! *Chains.* An answer says which step of a sequence of actions failed. A sample
+//! *Chains.* An outcome says which step of a sequence of actions failed. A sample
 //! is feasible for every step before, infeasible for that one, and says nothing
-//! about later ones. Each step has S and explanations of its own; the region is
+//! about later ones. Each step has S and hypotheses of its own; the region is
 //! the conjunction.
 //!
 //! *Wrong answers.* With a configured rate of noise a sample is asked again until
-//! one answer leads by so much that doubt is negligible (sequential test, Wald
-//! 1945): noise costs answers, not soundness.
+//! one outcome leads by so much that doubt is negligible (sequential test, Wald
+//! 1945): noise costs calls, not soundness.
 //!
-//! *Certificate.* The last questions are uniform draws from the region. As long as
+//! *Certificate.* The last queries are uniform draws from the region. As long as
 //! they work the region is not touched; one that fails changes it, and counting
 //! begins anew. So the draws are independent of the region that they certify
 //! (Clopper and Pearson 1934).
@@ -56,54 +56,67 @@
 //! tells in which states they work.
 //!
 //! *Honesty.* There is no region if an infeasible sample is excluded by nothing, if the
-//! explanation is not much shorter than the answers that it explains, or if no instance
+//! hypothesis is not much shorter than the answers that it explains, or if no instance
 //! has both feasible and infeasible samples: then the parameters were not shown to
 //! matter.
+//!
+//! | file | what is in it |
+//! |---|---|
+//! | `forms/` | forms: their values, S, and which infeasible samples each excludes |
+//! | `bound`, `clause`, `hypothesis` | what a region is made of; `disjunction`, `greedy` and `improve` look for it |
+//! | `committee` | the hypotheses that are known, and their votes |
+//! | `selection` | repairing and selecting hypotheses |
+//! | `describe`, `name` | clauses in words of the domain |
+//! | `query/` | which sample to ask about, a file for each strategy |
+//! | `tuning` | all numbers that decide what is learned |
 
-mod ask;
 mod bound;
 mod certificate;
-mod chosen;
 mod clause;
+mod committee;
 mod config;
-mod cover;
-mod deliberate;
-mod explain;
+mod describe;
+mod disjunction;
 mod forms;
 mod greedy;
+mod hypothesis;
+mod improve;
 mod membership;
+mod memory;
 mod name;
-mod question;
-mod set;
+mod query;
+mod report;
+mod selection;
+mod tuning;
 
 pub use certificate::Certificate;
-pub use config::{Capacity, Config, Evidence, MAX_OBSERVATIONS, Memory, Report};
-pub use cover::Cover;
-pub use forms::{Sample, Span};
+pub use config::Config;
+pub use forms::{Interval, Sample};
+pub use hypothesis::Hypothesis;
 pub use membership::Membership;
+pub use memory::{Capacity, MAX_OBSERVATIONS, Memory};
+pub use report::{Evidence, Report};
+pub use tuning::Tuning;
 
 use super::log::Observation;
 use super::problem::Problem;
-use super::{Learner, Outcome, Query, cut};
-use crate::domain::{CHECKSUM, Domain};
+use super::{Learner, Outcome, Query};
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::random::{Generator, generator};
 use crate::real::Real;
 use crate::region::Region;
 use crate::table::Table;
-use cover::MEMBERS;
-use forms::{Forms, Storage};
+use crate::wire::CHECKSUM;
+use committee::Committee;
+use forms::Forms;
+use selection::Selection;
 
-/// By how much more likely an answer must be than its opposite.
-const BEYOND_DOUBT: f64 = 10_000.0;
-/// Explanations that compete to be the final one.
-const CANDIDATES: usize = 16;
-
-/// A question and what is known of its answer.
+/// A query and what is known of its label.
 #[derive(Clone, Copy, Debug)]
 struct Pending {
     query: Query,
-    /// How many more answers said feasible than infeasible.
+    /// How many more outcomes were feasible than infeasible.
     lead: i32,
     /// The step that failed last, from one.
     failed_step: u8,
@@ -118,30 +131,25 @@ pub struct VersionSpace<'m, R> {
     capacity: Capacity,
     forms: Forms<'m, R>,
     /// Room for the left sides at a sample.
-    lefts: &'m mut [R],
-    /// Explanations, the best of each step first.
-    covers: &'m mut [Cover<R>],
+    lhs: &'m mut [R],
+    committee: Committee<'m, R>,
+    selection: Selection,
     observations: Table<'m, Observation>,
     rng: Generator,
     pending: Option<Pending>,
     problem: Option<u32>,
     /// Instances that were not asked about, if there is nothing else to ask about.
     unasked: Option<u32>,
-    /// How far one answer must lead.
+    /// How far one outcome must lead.
     needed_lead: i32,
     /// Whether some instance has feasible and infeasible samples.
     influence: bool,
     certifying: bool,
-    /// When so many answers are left, certifying begins.
+    /// When so many calls are left, certifying begins.
     certify_from: u32,
-    /// Whether the best explanations won an election and still hold.
-    elected: bool,
-    /// How long the best explanations were at the last election, in bits.
-    standing: f64,
-    /// How many samples there were then.
-    electors: usize,
     region: &'m mut Region,
-    support: Table<'m, Evidence>,
+    /// What supports the constraints of the region.
+    evidence: Table<'m, Evidence>,
     report: Report,
 }
 
@@ -150,7 +158,8 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] if a table of `memory` is shorter than
-    /// `capacity` needs, or for a configuration out of range.
+    /// `capacity` needs, or for a configuration out of range;
+    /// [`Error::CapacityExceeded`] if there is no room for any feature.
     pub fn new(
         domain: &Domain<'_>,
         config: Config,
@@ -158,12 +167,12 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         memory: Memory<'m, R>,
     ) -> Result<Self, Error> {
         let mut learner = VersionSpace::blank(config, capacity, memory)?;
-        learner.settle(domain)?;
+        learner.enumerate(domain)?;
         Ok(learner)
     }
 
     /// As [`VersionSpace::new`], without a domain: to be completed by
-    /// [`VersionSpace::settle`] where it will stay. On a small machine, less is on the
+    /// [`VersionSpace::enumerate`] where it will stay. On a small machine, less is on the
     /// stack at a time.
     ///
     /// # Errors
@@ -171,65 +180,39 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     pub fn blank(config: Config, capacity: Capacity, memory: Memory<'m, R>) -> Result<Self, Error> {
         config.check()?;
         capacity.check()?;
-        let Memory {
-            features,
-            columns,
-            instances,
-            spans,
-            bits,
-            rows,
-            lefts,
-            sets,
-            covers,
-            samples,
-            observations,
-            support,
-            region,
-        } = memory;
-        let covers = cut(covers, capacity.covers())?;
-        covers.iter_mut().for_each(Cover::clear);
-        let forms = Forms::new(Storage {
-            features: cut(features, capacity.features())?,
-            columns: cut(columns, capacity.features())?,
-            instances: cut(instances, capacity.instance_values())?,
-            spans: cut(spans, capacity.spans())?,
-            bits: cut(bits, capacity.bits())?,
-            rows: cut(rows, capacity.rows())?,
-            sets: cut(sets, capacity.sets())?,
-            samples: cut(samples, capacity.observations)?,
-            forms: capacity.forms,
-            tracked: capacity.tracked(),
-            lefts: capacity.lefts(),
-        });
+        let mut memory = memory.cut(capacity)?;
+        let forms = Forms::new(config.tuning, capacity, &mut memory);
+        let [region, ..] = memory.region else {
+            return Err(Error::InvalidArgument("a learner needs room for a region"));
+        };
         Ok(VersionSpace {
-            observations: Table::new(cut(observations, capacity.observations)?, "observations"),
+            observations: Table::new(memory.observations, "observations"),
             rng: generator(config.seed),
-            needed_lead: needed_lead(config.noise),
+            needed_lead: needed_lead(config.noise, config.tuning.beyond_doubt),
             certify_from: config.certifying,
             config,
             capacity,
             forms,
-            lefts: cut(lefts, capacity.lefts())?,
-            covers,
+            lhs: memory.lhs,
+            committee: Committee::new(memory.hypotheses),
+            selection: Selection::default(),
             pending: None,
             problem: None,
             unasked: None,
             influence: false,
             certifying: false,
-            elected: false,
-            standing: 0.0,
-            electors: 0,
             region,
-            support: Table::new(cut(support, capacity.support())?, "constraints of a region"),
+            evidence: Table::new(memory.evidence, "constraints of a region"),
             report: Report::default(),
         })
     }
 
-    /// Makes a learner from [`VersionSpace::blank`] one about the parameters of `domain`.
+    /// Makes a learner from [`VersionSpace::blank`] one about the parameters of `domain`,
+    /// whose features it enumerates.
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`] if there is no room for any feature.
-    pub fn settle(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
+    pub fn enumerate(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
         self.region.clear(domain);
         self.forms.enumerate(domain)
     }
@@ -246,31 +229,21 @@ impl<'m, R: Real> VersionSpace<'m, R> {
 
     /// What supports each constraint of the region, in their order.
     pub fn evidence(&self) -> &[Evidence] {
-        self.support.as_slice()
-    }
-
-    fn constraints(&self) -> usize {
-        let best = self.covers.iter().step_by(MEMBERS);
-        best.map(|cover| cover.chosen.len()).sum()
+        self.evidence.as_slice()
     }
 
     fn is_explained(&self) -> bool {
-        let constraints = self.constraints();
         self.report.feasible > 0
-            && constraints > 0
+            && self.committee.best_clauses().next().is_some()
             && self.influence
-            && self
-                .covers
-                .iter()
-                .step_by(MEMBERS)
-                .all(|cover| cover.complete)
+            && self.committee.is_consistent()
             && self.is_significant()
     }
 
-    /// Gets to know the instances, at the first question.
+    /// Gets to know the instances, at the first query.
     #[inline(never)]
     fn begin(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
-        self.forms.settle(problem)?;
+        self.forms.lay_out(problem)?;
         self.report.forms = self.forms.len();
         self.report.forms_left_out = self.forms.left_out();
         self.problem = Some(problem.fingerprint());
@@ -279,12 +252,12 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         Ok(())
     }
 
-    /// Takes a sample whose answer is beyond doubt; its left sides are in `lefts`.
+    /// Takes a sample whose label is decided; its left sides are in `lhs`.
     fn learn(&mut self, domain: &Domain<'_>, pending: &Pending) {
         let feasible = pending.lead > 0;
         self.take_in(pending);
         self.note_influence(&pending.query, feasible);
-        let moved = self.mend_best();
+        let moved = self.repair_best();
         let Certificate {
             mut draws,
             feasible: mut worked,
@@ -299,8 +272,9 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             (true, true) => {}
             (false, _) if !moved => self.count_support(domain),
             (true, false) => {
-                // Half of the answers that are left may find out what is wrong.
-                (self.certifying, self.certify_from) = (false, self.calls_left() / 2);
+                // Some of the calls that are left may find out what is wrong.
+                let again = f64::from(self.calls_left()) * self.config.tuning.certify_again;
+                (self.certifying, self.certify_from) = (false, again as u32);
                 self.rebuild_region(domain);
             }
             (false, _) => self.rebuild_region(domain),
@@ -314,11 +288,11 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         if pending.lead > 0 {
             self.report.feasible += 1;
             let steps = self.capacity.steps;
-            return self.forms.add(instance, self.lefts, steps, None);
+            return self.forms.add(instance, self.lhs, steps, None);
         }
         self.report.infeasible += 1;
         let failed = usize::from(pending.failed_step.saturating_sub(1));
-        self.forms.add(instance, self.lefts, failed, Some(failed));
+        self.forms.add(instance, self.lhs, failed, Some(failed));
     }
 
     fn note_influence(&mut self, query: &Query, feasible: bool) {
@@ -344,12 +318,12 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     }
 }
 
-/// How far one answer must lead to be beyond doubt.
-fn needed_lead(noise: f64) -> i32 {
+/// How far one outcome must lead, so that it is more likely than its opposite by a factor.
+fn needed_lead(noise: f64, factor: f64) -> i32 {
     let ratio = (1.0 - noise) / noise;
     let mut likelihood = ratio;
     let mut lead = 1;
-    while likelihood < BEYOND_DOUBT && lead < 32 {
+    while likelihood < factor && lead < 32 {
         likelihood *= ratio;
         lead += 1;
     }
@@ -382,7 +356,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         self.check_step(outcome)?;
         let observation = Observation::new(&pending.query, outcome)?;
         self.forms
-            .evaluate_query(problem, &pending.query, self.lefts)?;
+            .evaluate_query(problem, &pending.query, self.lhs)?;
         self.observations.push(observation)?;
         // Nothing fails from here on: a call that fails changes nothing.
         self.report.calls += 1;
@@ -405,7 +379,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
             self.learn(problem.domain(), &pending);
         }
         if self.is_finished() && !self.certifying {
-            self.elect(problem.domain());
+            self.reselect(problem.domain());
         }
         Ok(())
     }
@@ -455,6 +429,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         ] {
             digest.update(&number.to_bits().to_le_bytes());
         }
+        self.config.tuning.digest(&mut |bytes| digest.update(bytes));
         digest.finalize()
     }
 }

@@ -7,16 +7,16 @@ use core::ops::Range;
 
 /// Neighbours in a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Block {
+pub(super) struct Places {
     start: u16,
     len: u16,
 }
 
-impl Block {
+impl Places {
     /// From one place in a table to another, neither of which is beyond 65 535.
-    pub(super) fn between(start: usize, end: usize) -> Block {
+    pub(super) fn between(start: usize, end: usize) -> Places {
         let small = |n| u16::try_from(n).unwrap_or(u16::MAX);
-        Block {
+        Places {
             start: small(start),
             len: small(end.saturating_sub(start)),
         }
@@ -26,7 +26,7 @@ impl Block {
         usize::from(self.len)
     }
 
-    pub(super) fn range(self) -> Range<usize> {
+    fn range(self) -> Range<usize> {
         let start = usize::from(self.start);
         start..start + self.len()
     }
@@ -34,59 +34,72 @@ impl Block {
 
 /// Forms of one left side and neighbouring right sides.
 #[derive(Clone, Debug)]
-pub(in crate::learn::version_space) struct Run {
-    pub(in crate::learn::version_space) level: usize,
-    pub(in crate::learn::version_space) left: usize,
-    pub(in crate::learn::version_space) columns: Range<usize>,
-    pub(in crate::learn::version_space) forms: Range<usize>,
+pub(super) struct Run {
+    pub(super) level: usize,
+    pub(super) lhs: usize,
+    pub(super) rhs: Range<usize>,
+    pub(super) forms: Range<usize>,
 }
 
 impl Run {
     /// The forms before `form`, and the others.
     pub(super) fn split(self, form: usize) -> (Run, Run) {
         // Not `clamp`, which panics where a range has its ends the wrong way round.
-        let tracked = form.max(self.forms.start).min(self.forms.end);
-        let column = self.columns.start + (tracked - self.forms.start);
+        let middle = form.max(self.forms.start).min(self.forms.end);
+        let rhs = self.rhs.start + (middle - self.forms.start);
         let first = Run {
-            columns: self.columns.start..column,
-            forms: self.forms.start..tracked,
+            rhs: self.rhs.start..rhs,
+            forms: self.forms.start..middle,
             ..self
         };
         let second = Run {
-            columns: column..self.columns.end,
-            forms: tracked..self.forms.end,
+            rhs: rhs..self.rhs.end,
+            forms: middle..self.forms.end,
             ..self
         };
         (first, second)
     }
 
-    /// A form of the run from one direction.
-    pub(super) fn side(&self, form: usize, column: usize, upper: bool) -> Side {
-        Side {
-            form: form as u32,
-            column: column as u16,
-            left: self.left as u8,
-            level: self.level as u8,
+    /// Its forms from one direction, in their order.
+    pub(super) fn directed(&self, upper: bool) -> impl Iterator<Item = DirectedForm> + use<> {
+        let (lhs, level) = (self.lhs as u8, self.level as u8);
+        let forms = self.forms.clone().zip(self.rhs.clone());
+        forms.map(move |(index, rhs)| DirectedForm {
+            index: index as u32,
+            rhs: rhs as u16,
+            lhs,
+            level,
             upper,
-        }
+        })
     }
 }
 
-/// A form from one direction.
+/// A form from one direction: what a bound bounds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::learn::version_space) struct Side {
-    pub(in crate::learn::version_space) form: u32,
-    pub(in crate::learn::version_space) column: u16,
-    pub(in crate::learn::version_space) left: u8,
-    pub(in crate::learn::version_space) level: u8,
-    /// Whether it bounds its form from above.
-    pub(in crate::learn::version_space) upper: bool,
+pub(in super::super) struct DirectedForm {
+    /// Its place among the forms.
+    pub(in super::super) index: u32,
+    pub(super) rhs: u16,
+    /// Its left side, by its place among the left sides.
+    pub(in super::super) lhs: u8,
+    /// How complex its right side is, see [`LEVELS`].
+    pub(in super::super) level: u8,
+    /// Whether it is bounded from above.
+    pub(in super::super) upper: bool,
 }
 
-impl Side {
+impl DirectedForm {
     /// A value of the form such that larger is further out. Its own inverse.
-    pub(in crate::learn::version_space) fn outward<R: Real>(&self, value: R) -> R {
+    pub(in super::super) fn outward<R: Real>(&self, value: R) -> R {
         if self.upper { value } else { -value }
+    }
+
+    /// The same form from the other direction.
+    pub(in super::super) fn reversed(self) -> DirectedForm {
+        DirectedForm {
+            upper: !self.upper,
+            ..self
+        }
     }
 }
 
@@ -94,10 +107,12 @@ impl Side {
 /// dimension, level by level.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Layout {
-    pub(super) lefts: [[Block; 2]; DIMENSIONS],
+    /// Left sides of each dimension, those of complexity 1 and those of 2.
+    pub(super) lhs: [[Places; 2]; DIMENSIONS],
     /// Left sides that found no room.
-    pub(super) lefts_left_out: [u32; DIMENSIONS],
-    pub(super) columns: [[Block; DIMENSIONS]; LEVELS],
+    pub(super) lhs_left_out: [u32; DIMENSIONS],
+    /// Right sides of each level and dimension.
+    pub(super) rhs: [[Places; DIMENSIONS]; LEVELS],
     pub(super) capacity: usize,
 }
 
@@ -107,37 +122,37 @@ impl Layout {
             layout: self,
             level: 0,
             dimension: 0,
-            block: 0,
-            left: 0,
+            complexity: 0,
+            lhs: 0,
             used: 0,
         }
     }
 
-    pub(super) fn has_left(&self, dimension: Dimension) -> bool {
-        let own = self.lefts.get(dimension as usize);
-        own.is_some_and(|blocks| blocks.iter().any(|b| b.len() > 0))
+    pub(super) fn has_lhs(&self, dimension: Dimension) -> bool {
+        let own = self.lhs.get(dimension as usize);
+        own.is_some_and(|own| own.iter().any(|places| places.len() > 0))
     }
 
+    /// How many forms there would be if there were room.
     pub(super) fn wanted(&self) -> usize {
-        let lefts = self.lefts.iter().zip(self.lefts_left_out);
-        let lefts = lefts.map(|([a, b], left_out)| a.len() + b.len() + left_out as usize);
-        let columns = self.columns.iter();
-        let all = columns.flat_map(|own| own.iter().zip(lefts.clone()));
-        all.map(|(block, lefts)| block.len() * lefts).sum()
+        let lhs = self.lhs.iter().zip(self.lhs_left_out);
+        let lhs = lhs.map(|([a, b], left_out)| a.len() + b.len() + left_out as usize);
+        let pairs = self.rhs.iter().flat_map(|own| own.iter().zip(lhs.clone()));
+        pairs.map(|(rhs, lhs)| rhs.len() * lhs).sum()
     }
 }
 
 /// The runs of a layout in the order of their forms. Nested iterators over copies of the
-/// blocks would say the same with ten times the stack.
+/// places would say the same with ten times the stack.
 #[derive(Clone, Debug)]
 pub(super) struct Runs<'l> {
     layout: &'l Layout,
-    /// Where the next run is: its level, its dimension, and its left side as the block
-    /// and the place in it.
+    /// Where the next run is: its level, its dimension, and its left side as the
+    /// complexity and the place among those.
     level: usize,
     dimension: usize,
-    block: usize,
-    left: usize,
+    complexity: usize,
+    lhs: usize,
     /// Forms before it.
     used: usize,
 }
@@ -147,30 +162,30 @@ impl Iterator for Runs<'_> {
 
     fn next(&mut self) -> Option<Run> {
         loop {
-            let own = self.layout.columns.get(self.level)?;
-            let Some(columns) = own.get(self.dimension) else {
+            let own = self.layout.rhs.get(self.level)?;
+            let Some(rhs) = own.get(self.dimension) else {
                 (self.level, self.dimension) = (self.level + 1, 0);
                 continue;
             };
-            let lefts = self.layout.lefts.get(self.dimension);
-            let Some(lefts) = lefts.and_then(|blocks| blocks.get(self.block)) else {
-                (self.dimension, self.block) = (self.dimension + 1, 0);
+            let own = self.layout.lhs.get(self.dimension);
+            let Some(own) = own.and_then(|own| own.get(self.complexity)) else {
+                (self.dimension, self.complexity) = (self.dimension + 1, 0);
                 continue;
             };
-            let Some(left) = lefts.range().nth(self.left) else {
-                (self.block, self.left) = (self.block + 1, 0);
+            let Some(lhs) = own.range().nth(self.lhs) else {
+                (self.complexity, self.lhs) = (self.complexity + 1, 0);
                 continue;
             };
-            self.left += 1;
+            self.lhs += 1;
             let start = self.used;
-            let len = columns.len().min(self.layout.capacity - start);
+            let len = rhs.len().min(self.layout.capacity - start);
             self.used += len;
             if len > 0 {
-                let first = columns.range().start;
+                let first = rhs.range().start;
                 return Some(Run {
                     level: self.level,
-                    left,
-                    columns: first..first + len,
+                    lhs,
+                    rhs: first..first + len,
                     forms: start..start + len,
                 });
             }

@@ -1,168 +1,150 @@
 //! What is known of forms: read where it is tracked, computed from the samples where it
-//! is not. Both ways say the same, as S only widens.
+//! is not. Both ways say the same, as S only grows.
 
+use super::interval::excludes;
 use super::layout::Run;
-use super::{Forms, Set, Side, Span, known::excludes};
-use crate::learn::version_space::set::{insert, members};
+use super::{DirectedForm, Forms, Interval, SampleSet, StepView};
 use crate::real::Real;
+use crate::table::Blank;
 
 /// Forms whose version spaces are computed together.
-const BLOCK: usize = 16;
+const TOGETHER: usize = 16;
 
 impl<R: Real> Forms<'_, R> {
     /// Calls `visit` with every form up to a level, from both directions.
-    pub(in crate::learn::version_space) fn for_each_side(
-        &self,
-        level: u8,
-        mut visit: impl FnMut(Side),
-    ) {
+    pub(in super::super) fn for_each(&self, level: u8, mut visit: impl FnMut(DirectedForm)) {
         for run in self.layout.runs() {
             if run.level > usize::from(level) {
                 continue;
             }
-            for (form, column) in run.forms.clone().zip(run.columns.clone()) {
-                visit(run.side(form, column, true));
-                visit(run.side(form, column, false));
+            for form in run.directed(true) {
+                visit(form);
+                visit(form.reversed());
             }
         }
     }
 
     /// Calls `visit` with every form of the same left side, from the same direction.
-    pub(in crate::learn::version_space) fn for_each_right(
+    pub(in super::super) fn for_each_rhs(
         &self,
-        side: &Side,
-        mut visit: impl FnMut(Side),
+        form: &DirectedForm,
+        mut visit: impl FnMut(DirectedForm),
     ) {
         let runs = self.layout.runs();
-        for run in runs.filter(|run| run.left == usize::from(side.left)) {
-            for (form, column) in run.forms.clone().zip(run.columns.clone()) {
-                visit(run.side(form, column, side.upper));
-            }
+        for run in runs.filter(|run| run.lhs == usize::from(form.lhs)) {
+            run.directed(form.upper).for_each(&mut visit);
         }
     }
+}
 
+impl<R: Real> StepView<'_, '_, R> {
     /// Calls `visit` with every form from both directions and the number of
-    /// infeasible samples of `wanted`, all of one step, that it excludes, unless it is
-    /// zero.
-    pub(in crate::learn::version_space) fn for_each_count(
+    /// infeasible samples of `wanted` that it excludes, unless it is zero.
+    pub(in super::super) fn for_each_count(
         &self,
-        step: usize,
-        wanted: &Set,
-        visit: &mut dyn FnMut(Side, u32),
+        wanted: &SampleSet,
+        visit: &mut dyn FnMut(DirectedForm, u32),
     ) {
         for upper in [true, false] {
-            for run in self.layout.runs() {
-                let (tracked, other) = run.split(self.tracked);
+            for run in self.forms.layout.runs() {
+                let (tracked, other) = run.split(self.forms.tracked);
                 self.look_up_counts(&tracked, upper, wanted, visit);
-                self.compute_counts(&other, upper, step, wanted, visit);
+                self.compute_counts(&other, upper, wanted, visit);
             }
         }
     }
 
-    /// [`Forms::for_each_count`] for forms whose exclusions are tracked.
+    /// [`StepView::for_each_count`] for forms whose exclusions are tracked.
     #[inline(always)]
     fn look_up_counts(
         &self,
         run: &Run,
         upper: bool,
-        wanted: &Set,
-        visit: &mut dyn FnMut(Side, u32),
+        wanted: &SampleSet,
+        visit: &mut dyn FnMut(DirectedForm, u32),
     ) {
-        let words = self.words();
-        let planes = self.bits.get(usize::from(upper) * self.tracked..);
-        let planes = planes.unwrap_or(&[]);
-        for (form, column) in run.forms.clone().zip(run.columns.clone()) {
-            let own = planes.iter().skip(form).step_by((2 * self.tracked).max(1));
-            let own = own.zip(wanted).take(words);
+        let words = self.forms.words();
+        for (place, form) in run.forms.clone().zip(run.directed(upper)) {
+            let own = self.forms.exclusions.of(place, upper);
+            let own = own.zip(wanted.words()).take(words);
             let count = own.map(|(word, wanted)| (word & wanted).count_ones()).sum();
             if count > 0 {
-                visit(run.side(form, column, upper), count);
+                visit(form, count);
             }
         }
     }
 
-    /// [`Forms::for_each_count`] for forms of which nothing is tracked.
+    /// [`StepView::for_each_count`] for forms of which nothing is tracked.
     fn compute_counts(
         &self,
         run: &Run,
         upper: bool,
-        step: usize,
-        wanted: &Set,
-        visit: &mut dyn FnMut(Side, u32),
+        wanted: &SampleSet,
+        visit: &mut dyn FnMut(DirectedForm, u32),
     ) {
-        let known = self.known();
-        let feasible = self.feasible(step);
-        let mut sides = run.forms.clone().zip(run.columns.clone());
-        for start in run.columns.clone().step_by(BLOCK) {
-            let columns = start..run.columns.end.min(start + BLOCK);
-            let mut ends = [if upper { -R::INFINITY } else { R::INFINITY }; BLOCK];
-            for sample in members(&feasible) {
-                for (end, value) in ends
-                    .iter_mut()
-                    .zip(known.values(run.left, &columns, sample))
-                {
-                    *end = if upper {
-                        end.max(value)
-                    } else {
-                        end.min(value)
-                    };
+        let values = &self.forms.values;
+        let (start, further): (R, fn(R, R) -> R) = match upper {
+            true => (R::NEG_INFINITY, R::max),
+            false => (R::INFINITY, R::min),
+        };
+        let mut forms = run.directed(upper);
+        for first in run.rhs.clone().step_by(TOGETHER) {
+            let rhs = first..run.rhs.end.min(first + TOGETHER);
+            let mut ends = [start; TOGETHER];
+            for sample in self.feasible.iter() {
+                let own = values.of_run(run.lhs, &rhs, sample);
+                for (end, value) in ends.iter_mut().zip(own) {
+                    *end = further(*end, value);
                 }
             }
-            let mut counts = [0; BLOCK];
-            for sample in members(wanted) {
-                let values = known.values(run.left, &columns, sample);
-                for ((count, end), value) in counts.iter_mut().zip(&ends).zip(values) {
+            let mut counts = [0; TOGETHER];
+            for sample in wanted.iter() {
+                let own = values.of_run(run.lhs, &rhs, sample);
+                for ((count, end), value) in counts.iter_mut().zip(&ends).zip(own) {
                     *count += u32::from(excludes(*end, value, upper));
                 }
             }
-            for (count, (form, column)) in
-                counts.into_iter().zip(sides.by_ref().take(columns.len()))
-            {
+            for (count, form) in counts.into_iter().zip(forms.by_ref().take(rhs.len())) {
                 if count > 0 {
-                    visit(run.side(form, column, upper), count);
+                    visit(form, count);
                 }
             }
         }
     }
 
-    /// The end of S: the value farthest out at a feasible sample of a step.
-    pub(in crate::learn::version_space) fn last_feasible(&self, side: &Side, step: usize) -> R {
-        let form = side.form as usize;
-        if form >= self.tracked {
-            let feasible = self.feasible(step);
-            let values = members(&feasible).map(|sample| self.value_at(side, sample));
-            return values.fold(-R::INFINITY, R::max);
+    /// The end of S: the value farthest out at a feasible sample.
+    pub(in super::super) fn last_feasible(&self, form: &DirectedForm) -> R {
+        let index = form.index as usize;
+        if index >= self.forms.tracked {
+            let values = self.feasible.iter().map(|sample| self.value(form, sample));
+            return values.fold(R::NEG_INFINITY, R::max);
         }
-        let own = self.spans.get(step * self.tracked + form);
-        let span = own.copied().unwrap_or_else(Span::default);
-        if side.upper { span.high } else { -span.low }
+        let place = self.step * self.forms.tracked + index;
+        let interval = self.forms.intervals.get(place).copied();
+        let interval = interval.unwrap_or(Interval::BLANK);
+        if form.upper {
+            interval.high
+        } else {
+            -interval.low
+        }
     }
 
-    /// The infeasible samples of a step that a form excludes.
-    pub(in crate::learn::version_space) fn excluded(&self, side: &Side, step: usize) -> Set {
-        let mut set = self.infeasible(step);
-        let form = side.form as usize;
-        if form >= self.tracked {
-            let end = side.outward(self.last_feasible(side, step));
-            let all = core::mem::take(&mut set);
-            for sample in members(&all) {
-                let value = side.outward(self.value_at(side, sample));
-                if excludes(end, value, side.upper) {
-                    insert(&mut set, sample);
+    /// The infeasible samples that a form excludes.
+    pub(in super::super) fn excluded(&self, form: &DirectedForm) -> SampleSet {
+        let index = form.index as usize;
+        if index >= self.forms.tracked {
+            let mut set = SampleSet::EMPTY;
+            let end = form.outward(self.last_feasible(form));
+            for sample in self.infeasible.iter() {
+                if excludes(end, form.outward(self.value(form, sample)), form.upper) {
+                    set.insert(sample);
                 }
             }
             return set;
         }
-        let planes = self
-            .bits
-            .get(usize::from(side.upper) * self.tracked + form..);
-        let words = planes
-            .unwrap_or(&[])
-            .iter()
-            .step_by((2 * self.tracked).max(1));
-        for (slot, word) in set.iter_mut().zip(words).take(self.words()) {
-            *slot &= word;
-        }
+        let own = self.forms.exclusions.of(index, form.upper);
+        let mut set = SampleSet::of_words(own.take(self.forms.words()));
+        set.intersect(&self.infeasible);
         set
     }
 }

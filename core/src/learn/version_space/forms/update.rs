@@ -1,10 +1,10 @@
-//! Taking samples in: S widens, and the sets of excluded samples follow.
+//! Taking samples in: S grows, and what each form excludes follows.
 
-use super::{Forms, Known, Sample, Span, tolerance};
+use super::{Forms, Interval, tolerance};
 use crate::real::Real;
 
 /// Neighbouring forms that are looked at together: in most blocks nothing changes.
-const BLOCK: usize = 16;
+const TOGETHER: usize = 16;
 
 /// All bits or none: a choice without a branch, so that forms are compared side by
 /// side.
@@ -16,93 +16,65 @@ fn mask(chosen: bool) -> u64 {
 /// Whether the value of some form of a block is not in S. Without branches, so that
 /// forms are compared side by side.
 #[inline(always)]
-fn any_outside<R: Real>(left: R, rights: &[R], spans: &[Span<R>]) -> bool {
-    let pairs = rights.iter().zip(spans);
-    pairs.fold(false, |any, (right, span)| {
-        let value = left - *right;
-        any | (value < span.low) | (value > span.high)
+fn any_outside<R: Real>(lhs: R, rhs: &[R], intervals: &[Interval<R>]) -> bool {
+    let pairs = rhs.iter().zip(intervals);
+    pairs.fold(false, |any, (rhs, interval)| {
+        let value = lhs - *rhs;
+        any | (value < interval.low) | (value > interval.high)
     })
 }
 
 impl<R: Real> Forms<'_, R> {
-    /// Takes a sample at which the steps before `worked` worked, and that one
-    /// failed unless it is `None`.
-    pub(in crate::learn::version_space) fn add(
+    /// Takes a sample in, at which the steps before `worked` worked, and that one failed
+    /// unless `failed` is `None`. Its left sides are in `lhs`.
+    pub(in super::super) fn add(
         &mut self,
         instance: usize,
-        lefts: &[R],
+        lhs: &[R],
         worked: usize,
         failed: Option<usize>,
     ) {
-        let index = self.samples.len();
-        let (word, bit) = (index / 64, 1u64 << (index % 64));
-        // There is room: as much as for observations, of which each decides one at most.
-        let _ = self.samples.push(Sample {
-            instance: instance as u32,
-        });
-        let row = self
-            .rows
-            .chunks_exact_mut(self.left_count.max(1))
-            .nth(index);
-        for (slot, value) in row.unwrap_or(&mut []).iter_mut().zip(lefts) {
-            *slot = *value;
-        }
-        if bit == 1 {
-            let start = 2 * word * self.tracked;
-            let planes = self.bits.get_mut(start..start + 2 * self.tracked);
-            planes.unwrap_or(&mut []).fill(0);
+        let sample = self.samples();
+        self.values.push(instance, lhs);
+        if sample.is_multiple_of(64) {
+            self.exclusions.clear(sample / 64);
         }
         for step in 0..worked {
-            self.enter(step, true, index);
-            self.widen(instance, lefts, step);
+            self.enter(step, true, sample);
+            self.generalise(instance, lhs, step);
         }
         if let Some(step) = failed {
-            self.enter(step, false, index);
-            self.note_excluded(instance, lefts, step, word, bit);
+            self.enter(step, false, sample);
+            self.note_excluding(instance, lhs, step, sample);
         }
     }
 
-    /// Widens S of every form that is tracked by a feasible sample. Forms that were widened may
-    /// exclude less.
-    fn widen(&mut self, instance: usize, lefts: &[R], step: usize) {
+    /// Extends S of every form that is tracked to a feasible sample. A form whose S grew
+    /// may exclude less.
+    fn generalise(&mut self, instance: usize, lhs: &[R], step: usize) {
         let tracked = self.tracked;
-        let infeasible = self.infeasible(step);
+        let infeasible = self.sample_set(step, false);
         let words = self.words();
-        let known = Known {
-            instances: self.instances,
-            width: self.width,
-            rows: self.rows,
-            left_count: self.left_count,
-            samples: self.samples.as_slice(),
-        };
-        let rights = known.rights(instance);
-        let spans = self.spans.get_mut(step * tracked..).unwrap_or(&mut []);
+        let values = &self.values;
+        let all_rhs = values.rhs_in(instance);
+        let intervals = self.intervals.get_mut(step * tracked..).unwrap_or(&mut []);
         for (run, _) in self.layout.runs().map(|run| run.split(tracked)) {
-            let left = lefts.get(run.left).copied().unwrap_or(R::NAN);
-            let spans = spans.get_mut(run.forms.clone()).unwrap_or(&mut []);
-            let rights = rights.get(run.columns.clone()).unwrap_or(&[]);
-            let blocks = spans.chunks_mut(BLOCK).zip(rights.chunks(BLOCK));
-            for (at, (spans, rights)) in blocks.enumerate() {
-                if !any_outside(left, rights, spans) {
+            let own = lhs.get(run.lhs).copied().unwrap_or(R::NAN);
+            let intervals = intervals.get_mut(run.forms.clone()).unwrap_or(&mut []);
+            let rhs = all_rhs.get(run.rhs.clone()).unwrap_or(&[]);
+            let blocks = intervals.chunks_mut(TOGETHER).zip(rhs.chunks(TOGETHER));
+            for (block, (intervals, rhs)) in blocks.enumerate() {
+                if !any_outside(own, rhs, intervals) {
                     continue;
                 }
-                for (within, (span, right)) in spans.iter_mut().zip(rights).enumerate() {
-                    let value = left - *right;
-                    let at = BLOCK * at + within;
-                    let (form, column) = (run.forms.start + at, run.columns.start + at);
-                    // The first sample widens both sides.
-                    while let Some(upper) = span.take_in(value) {
-                        known.settle_bits(
-                            self.bits,
-                            tracked,
-                            words,
-                            form,
-                            run.left,
-                            column,
-                            span,
-                            upper,
-                            &infeasible,
-                        );
+                for (within, (interval, rhs)) in intervals.iter_mut().zip(rhs).enumerate() {
+                    let place = TOGETHER * block + within;
+                    let value_at = |sample| values.at(run.lhs, run.rhs.start + place, sample);
+                    let form = run.forms.start + place;
+                    // The first sample lies outside on both sides.
+                    while let Some(upper) = interval.include(own - *rhs) {
+                        let open = (&infeasible, words);
+                        self.exclusions.admit(form, interval, upper, open, value_at);
                     }
                 }
             }
@@ -110,27 +82,26 @@ impl<R: Real> Forms<'_, R> {
     }
 
     /// Notes which of the forms that are tracked exclude an infeasible sample.
-    fn note_excluded(&mut self, instance: usize, lefts: &[R], step: usize, word: usize, bit: u64) {
+    fn note_excluding(&mut self, instance: usize, lhs: &[R], step: usize, sample: usize) {
         let tracked = self.tracked;
-        let rights = self.instances.chunks_exact(self.width.max(1)).nth(instance);
-        let rights = rights.unwrap_or(&[]);
-        let spans = self.spans.get(step * tracked..).unwrap_or(&[]);
-        let planes = self.bits.get_mut(2 * word * tracked..).unwrap_or(&mut []);
-        let Some((below, above)) = planes.split_at_mut_checked(tracked) else {
+        let bit = 1u64 << (sample % 64);
+        let all_rhs = self.values.rhs_in(instance);
+        let intervals = self.intervals.get(step * tracked..).unwrap_or(&[]);
+        let Some((below, above)) = self.exclusions.planes_mut(sample / 64) else {
             return;
         };
         for (run, _) in self.layout.runs().map(|run| run.split(tracked)) {
-            let left = lefts.get(run.left).copied().unwrap_or(R::NAN);
-            let spans = spans.get(run.forms.clone()).unwrap_or(&[]);
-            let rights = rights.get(run.columns.clone()).unwrap_or(&[]);
+            let own = lhs.get(run.lhs).copied().unwrap_or(R::NAN);
+            let intervals = intervals.get(run.forms.clone()).unwrap_or(&[]);
+            let rhs = all_rhs.get(run.rhs.clone()).unwrap_or(&[]);
             let below = below.get_mut(run.forms.clone()).unwrap_or(&mut []);
             let above = above.get_mut(run.forms.clone()).unwrap_or(&mut []);
             let sides = below.iter_mut().zip(above);
-            for ((span, right), (below, above)) in spans.iter().zip(rights).zip(sides) {
-                let value = left - *right;
+            for ((interval, rhs), (below, above)) in intervals.iter().zip(rhs).zip(sides) {
+                let value = own - *rhs;
                 let rounding = tolerance(value);
-                *below |= bit & mask(value + rounding < span.low);
-                *above |= bit & mask(value - rounding > span.high);
+                *below |= bit & mask(value + rounding < interval.low);
+                *above |= bit & mask(value - rounding > interval.high);
             }
         }
     }

@@ -1,0 +1,237 @@
+//! Curves: features along a line of parameters.
+
+use super::line::Line;
+use super::{Algebra, Arithmetic, Measure, dot};
+use crate::domain::node::Extreme;
+use crate::real::Real;
+
+/// `line(t) + factor * |vector(t)|`, or `line(t) + factor * angle(t)` with the angle
+/// between the vector and a fixed direction: what the features of the grammar become
+/// along a line of parameters, unless they hold two lengths or angles of vectors, a
+/// product of two parameters, a turn by a parameter or an extreme of what varies; those
+/// are unknown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curve<R> {
+    /// The straight part.
+    pub line: Line<R>,
+    /// How often the length or the angle counts.
+    pub factor: R,
+    /// The vector whose length or angle is taken.
+    pub vector: [Line<R>; 3],
+    /// For an angle, the part of the vector along the direction.
+    pub along: Option<Line<R>>,
+}
+
+impl<R: Real> Curve<R> {
+    /// Whether its value along the line is known. It may be infinite everywhere, as
+    /// an extreme over nothing is.
+    pub fn is_known(&self) -> bool {
+        if self.factor == R::ZERO {
+            return self.line.slope.is_finite();
+        }
+        let known = |v: &Line<R>| (v.at + v.slope).is_finite();
+        (self.line.slope + self.factor).is_finite()
+            && self.vector.iter().all(known)
+            // The roots of an angle against a straight line have no closed form.
+            && self.along.is_none_or(|along| known(&along) && self.line.slope == R::ZERO)
+    }
+
+    /// Whether its value along the line is known, and a number everywhere.
+    pub fn is_finite(&self) -> bool {
+        self.line.at.is_finite() && self.is_known()
+    }
+
+    /// The value at `t`.
+    #[inline]
+    pub fn value(&self, t: R) -> R {
+        let straight = self.line.value(t);
+        if self.factor == R::ZERO {
+            return straight;
+        }
+        straight + self.factor * self.bend(t)
+    }
+
+    /// The length or angle of the vector at `t`.
+    fn bend(&self, t: R) -> R {
+        let length = R::norm(self.vector.map(|v| v.value(t)));
+        let Some(along) = self.along else {
+            return length;
+        };
+        let along = along.value(t);
+        let across = (length * length - along * along).max(R::ZERO).sqrt();
+        across.atan2(along)
+    }
+
+    /// Where it may be zero: `line(t) = -factor * |vector(t)|`; NaN or infinite for
+    /// none. A root of the squared equation need not be one of the curve.
+    pub fn roots(&self) -> [R; 2] {
+        let Some((Line { at: a, slope: b }, factor)) = self.without_angle() else {
+            return [R::NAN; 2];
+        };
+        if factor == R::ZERO {
+            return [-a / b, R::NAN];
+        }
+        let zero = |v: &Line<R>| v.at == R::ZERO && v.slope == R::ZERO;
+        let [x, y, z] = &self.vector;
+        let single = match (zero(x), zero(y), zero(z)) {
+            (_, true, true) => Some(x),
+            (true, _, true) => Some(y),
+            (true, true, _) => Some(z),
+            _ => None,
+        };
+        if let Some(v) = single {
+            let (at, slope) = (factor * v.at, factor * v.slope);
+            return [-(a + at) / (b + slope), -(a - at) / (b - slope)];
+        }
+        let square = |f: fn(&Line<R>) -> R, g: fn(&Line<R>) -> R| {
+            let products = self.vector.iter().map(|v| f(v) * g(v));
+            factor * factor * products.fold(R::ZERO, |sum, p| sum + p)
+        };
+        quadratic_roots(
+            square(|v| v.slope, |v| v.slope) - b * b,
+            square(|v| v.at, |v| v.slope) - a * b,
+            square(|v| v.at, |v| v.at) - a * a,
+        )
+    }
+
+    /// The straight part and the factor of a curve with the same vector and the same
+    /// roots that is no angle: a vector is at an angle to a direction where its part
+    /// along it is its length times the cosine. `None` if there are no roots.
+    fn without_angle(&self) -> Option<(Line<R>, R)> {
+        let Some(along) = self.along else {
+            return Some((self.line, self.factor));
+        };
+        let angle = -self.line.at / self.factor;
+        let possible = angle >= R::ZERO && angle <= R::from_f64(core::f64::consts::PI);
+        possible.then(|| (along, -angle.sin_cos().1))
+    }
+
+    /// Whether the value at `t` is zero but for rounding.
+    pub fn is_near_zero(&self, t: R) -> bool {
+        let size = self.line.at.abs() + (self.line.slope * t).abs();
+        let tolerance = R::SQRT_EPSILON * (R::ONE + size);
+        self.value(t).abs() <= tolerance
+    }
+
+    fn sum(self, other: Self, sign: R) -> Self {
+        let line = self.line.plus(other.line.scaled(sign));
+        let (factor, bent) = if other.factor == R::ZERO {
+            (self.factor, self)
+        } else if self.factor == R::ZERO {
+            (sign * other.factor, other)
+        } else {
+            return Self::unknown();
+        };
+        Curve {
+            line,
+            factor,
+            ..bent
+        }
+    }
+
+    fn as_constant(&self) -> Option<R> {
+        (self.factor == R::ZERO && self.line.slope == R::ZERO).then_some(self.line.at)
+    }
+}
+
+impl<R: Real> Algebra<R> for Line<R> {
+    type Measure = Curve<R>;
+    fn measure(self) -> Curve<R> {
+        Curve {
+            line: self,
+            factor: R::ZERO,
+            vector: [Line::constant(R::ZERO); 3],
+            along: None,
+        }
+    }
+    fn norm(vector: [Self; 3]) -> Curve<R> {
+        if vector.iter().all(|v| v.slope == R::ZERO) {
+            return Curve::constant(R::norm(vector.map(|v| v.at)));
+        }
+        Curve {
+            line: Line::constant(R::ZERO),
+            factor: R::ONE,
+            vector,
+            along: None,
+        }
+    }
+    fn angle(a: [Self; 3], b: [Self; 3]) -> Curve<R> {
+        let settled = |vector: [Self; 3]| {
+            let vary = vector.iter().any(|v| v.slope != R::ZERO);
+            (!vary).then(|| vector.map(|v| v.at))
+        };
+        let (moving, fixed) = match (settled(a), settled(b)) {
+            (Some(a), Some(b)) => return Curve::constant(R::angle(a, b)),
+            (None, Some(b)) => (a, b),
+            (Some(a), None) => (b, a),
+            (None, None) => return Curve::unknown(),
+        };
+        let length = R::norm(fixed);
+        if length == R::ZERO {
+            return Curve::constant(R::ZERO);
+        }
+        let direction = fixed.map(|v| Line::constant(v / length));
+        Curve {
+            line: Line::constant(R::ZERO),
+            factor: R::ONE,
+            vector: moving,
+            along: Some(dot(moving, direction)),
+        }
+    }
+    fn known(self) -> Option<R> {
+        (self.slope == R::ZERO).then_some(self.at)
+    }
+}
+
+impl<R: Real> Arithmetic<R> for Curve<R> {
+    fn constant(value: R) -> Self {
+        Line::constant(value).measure()
+    }
+    fn unknown() -> Self {
+        Line::unknown().measure()
+    }
+    fn plus(self, other: Self) -> Self {
+        self.sum(other, R::ONE)
+    }
+    fn minus(self, other: Self) -> Self {
+        self.sum(other, -R::ONE)
+    }
+    fn times(self, other: Self) -> Self {
+        match (self.as_constant(), other.as_constant()) {
+            (Some(a), Some(b)) => Self::constant(a * b),
+            (None, Some(factor)) => self.scaled(factor),
+            (Some(factor), None) => other.scaled(factor),
+            (None, None) => Self::unknown(),
+        }
+    }
+    fn scaled(self, factor: R) -> Self {
+        Curve {
+            line: self.line.scaled(factor),
+            factor: self.factor * factor,
+            ..self
+        }
+    }
+}
+
+impl<R: Real> Measure<R> for Curve<R> {
+    fn extreme(self, extreme: Extreme, other: Self) -> Self {
+        match (self.as_constant(), other.as_constant()) {
+            (Some(a), Some(b)) => Self::constant(extreme.of(a, b)),
+            _ => Self::unknown(),
+        }
+    }
+    fn lower(&mut self, by: R) {
+        self.line.at -= by;
+    }
+}
+
+/// The roots of `a t^2 + 2 b t + c`, without cancellation.
+fn quadratic_roots<R: Real>(a: R, b: R, c: R) -> [R; 2] {
+    let discriminant = b * b - a * c;
+    if discriminant < R::ZERO {
+        return [R::NAN; 2];
+    }
+    let root = discriminant.sqrt();
+    let q = if b < R::ZERO { root - b } else { -(b + root) };
+    [q / a, c / q]
+}

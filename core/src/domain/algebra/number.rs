@@ -1,0 +1,56 @@
+//! Numbers: what a term is at one sample.
+
+use super::{Algebra, Arithmetic, Measure, dot};
+use crate::domain::node::Extreme;
+use crate::real::Real;
+
+impl<R: Real> Arithmetic<R> for R {
+    fn constant(value: R) -> R {
+        value
+    }
+    fn unknown() -> R {
+        R::NAN
+    }
+    fn plus(self, other: R) -> R {
+        self + other
+    }
+    fn minus(self, other: R) -> R {
+        self - other
+    }
+    fn times(self, other: R) -> R {
+        self * other
+    }
+}
+
+impl<R: Real> Measure<R> for R {
+    fn extreme(self, extreme: Extreme, other: R) -> R {
+        extreme.of(self, other)
+    }
+    fn lower(&mut self, by: R) {
+        *self -= by;
+    }
+}
+
+impl<R: Real> Algebra<R> for R {
+    type Measure = R;
+    fn measure(self) -> R {
+        self
+    }
+    fn norm([x, y, z]: [R; 3]) -> R {
+        // One component: exact, and no square root. It is the common case.
+        if y == R::ZERO && z == R::ZERO {
+            return x.abs();
+        }
+        (x * x + y * y + z * z).sqrt()
+    }
+    /// Well conditioned for every angle: the arc tangent of the lengths of the cross
+    /// and the dot product.
+    fn angle(a: [R; 3], b: [R; 3]) -> R {
+        let ([ax, ay, az], [bx, by, bz]) = (a, b);
+        let cross = [az * by - ay * bz, ax * bz - az * bx, ay * bx - ax * by];
+        R::norm(cross).atan2(dot(a, b))
+    }
+    fn known(self) -> Option<R> {
+        Some(self)
+    }
+}

@@ -1,0 +1,113 @@
+//! Ranges: bounds of a term over a box of parameters.
+
+use super::{Algebra, Arithmetic, Measure, dot};
+use crate::domain::node::Extreme;
+use crate::real::Real;
+
+/// All values between two bounds, over a box of parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range<R> {
+    /// Not above any value.
+    pub low: R,
+    /// Not below any value.
+    pub high: R,
+}
+
+impl<R: Real> Range<R> {
+    /// The distances from zero.
+    fn magnitude(self) -> Range<R> {
+        let (a, b) = (self.low.abs(), self.high.abs());
+        let crosses = self.low <= R::ZERO && self.high >= R::ZERO;
+        Range {
+            low: if crosses { R::ZERO } else { a.min(b) },
+            high: a.max(b),
+        }
+    }
+}
+
+impl<R: Real> Arithmetic<R> for Range<R> {
+    fn constant(value: R) -> Self {
+        Range {
+            low: value,
+            high: value,
+        }
+    }
+    fn unknown() -> Self {
+        Range {
+            low: -R::INFINITY,
+            high: R::INFINITY,
+        }
+    }
+    fn plus(self, other: Self) -> Self {
+        Range {
+            low: self.low + other.low,
+            high: self.high + other.high,
+        }
+    }
+    fn minus(self, other: Self) -> Self {
+        Range {
+            low: self.low - other.high,
+            high: self.high - other.low,
+        }
+    }
+    fn times(self, other: Self) -> Self {
+        let (a, b) = (self.low * other.low, self.low * other.high);
+        let (c, d) = (self.high * other.low, self.high * other.high);
+        if !(a + b + c + d).is_finite() {
+            return Self::unknown();
+        }
+        Range {
+            low: a.min(b).min(c.min(d)),
+            high: a.max(b).max(c.max(d)),
+        }
+    }
+}
+
+impl<R: Real> Measure<R> for Range<R> {
+    fn extreme(self, extreme: Extreme, other: Self) -> Self {
+        Range {
+            low: extreme.of(self.low, other.low),
+            high: extreme.of(self.high, other.high),
+        }
+    }
+    fn lower(&mut self, by: R) {
+        self.low -= by;
+        self.high -= by;
+    }
+}
+
+impl<R: Real> Algebra<R> for Range<R> {
+    type Measure = Range<R>;
+    fn measure(self) -> Self {
+        self
+    }
+    fn norm(vector: [Self; 3]) -> Self {
+        let [x, y, z] = vector.map(Range::magnitude);
+        Range {
+            low: R::norm([x.low, y.low, z.low]),
+            high: R::norm([x.high, y.high, z.high]),
+        }
+    }
+    fn angle(a: [Self; 3], b: [Self; 3]) -> Self {
+        let (dot, lengths) = (dot(a, b), Self::norm(a).times(Self::norm(b)));
+        let Range { low, high } = lengths;
+        if low == R::ZERO {
+            let high = R::from_f64(core::f64::consts::PI);
+            return Range { low, high };
+        }
+        // A cosine is farthest from zero where the vectors are shortest.
+        let angle = |dot: R, lengths: [R; 2]| {
+            let [positive, negative] = lengths.map(|length| dot / length);
+            let cosine = if dot < R::ZERO { negative } else { positive };
+            let cosine = cosine.clamp(-R::ONE, R::ONE);
+            (R::ONE - cosine * cosine).sqrt().atan2(cosine)
+        };
+        Range {
+            low: angle(dot.high, [low, high]),
+            high: angle(dot.low, [high, low]),
+        }
+    }
+    fn known(self) -> Option<R> {
+        (self.low == self.high).then_some(self.low)
+    }
+}

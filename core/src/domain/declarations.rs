@@ -1,0 +1,182 @@
+//! What a domain can declare: types, objects, groups, constants, parameters, points
+//! and shapes.
+
+use super::dimension::Dimension;
+use super::node::NodeId;
+
+/// A kind of object and the numbers that describe one (thesis 4.1.1: the types
+/// and the dimensionality of their feature vectors).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Type<'t> {
+    /// Its name.
+    pub name: &'t str,
+    /// Where its attributes start among those of the domain.
+    pub(super) first: u8,
+    /// How many attributes it has.
+    pub(super) count: u8,
+}
+
+/// A dynamic number of an object, such as its position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attribute<'t> {
+    /// Its name, unique in its type.
+    pub name: &'t str,
+    /// What it measures.
+    pub dimension: Dimension,
+}
+
+impl<'t> Attribute<'t> {
+    /// The attribute of this name.
+    pub const fn new(name: &'t str, dimension: Dimension) -> Self {
+        Attribute { name, dimension }
+    }
+}
+
+/// A thing in the world; its attributes are read from the problem instance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Object<'t> {
+    /// Its name; that of its group if it is a member of one.
+    pub name: &'t str,
+    /// Index of its type.
+    pub type_index: u8,
+    /// To which group it belongs.
+    pub member: Option<Member>,
+    /// Index of its first attribute in an instance.
+    pub first_slot: u8,
+    pub(super) pose: PoseSlots,
+}
+
+/// A static number, the same in every instance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constant<'t> {
+    /// Its name, usually `object.quantity`.
+    pub name: &'t str,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Its value.
+    pub value: f64,
+}
+
+/// A continuous parameter of the action.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameter<'t> {
+    /// Its name.
+    pub name: &'t str,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Smallest value.
+    pub low: f64,
+    /// Largest value.
+    pub high: f64,
+}
+
+/// What a point is placed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Base {
+    /// The fixed frame of the world.
+    World,
+    /// The pose of an object, by its index.
+    Object(u8),
+    /// An earlier point, by its index.
+    Point(u8),
+}
+
+/// A point with a direction: the pose of an object, or a virtual object (thesis
+/// 4.2) made from another one by turning and then translating in its frame.
+/// A point that moves with a parameter is a *sample point*.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point<'t> {
+    /// Name up to the first dot: `holder` of `holder.centre`.
+    pub owner: &'t str,
+    /// Name behind the first dot, empty if there is none.
+    pub part: &'t str,
+    /// The frame it is placed in.
+    pub base: Base,
+    /// Yaw, pitch and roll in that frame, where not zero.
+    pub turn: [Option<NodeId>; 3],
+    /// Translation in the turned frame, where not zero.
+    pub offset: [Option<NodeId>; 3],
+    /// Whether it depends on a parameter.
+    pub sampled: bool,
+    /// To which group it belongs, with the object it is placed in.
+    pub member: Option<Member>,
+}
+
+impl Point<'_> {
+    /// Whether it is the pose of an object itself.
+    pub fn is_object(&self) -> bool {
+        matches!(self.base, Base::Object(_)) && self.turn == [None; 3] && self.offset == [None; 3]
+    }
+
+    /// Whether it has a direction of its own: an object's, or one that is turned
+    /// from its base. Points that share a direction make no new angles.
+    pub fn has_heading(&self) -> bool {
+        self.is_object() || self.turn != [None; 3]
+    }
+}
+
+/// Objects of one type under one name. Members stand one behind the other, among
+/// the objects, in an instance, and in each kind of point that they have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// Index of the first member among the objects.
+    pub first_object: u8,
+    /// How many members there can be.
+    pub count: u8,
+}
+
+/// To which group an object or point belongs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Member {
+    /// Index of the group.
+    pub group: u8,
+    /// Which of its members, from 0.
+    pub index: u8,
+}
+
+/// The outline of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// Around the object's position.
+    Circle {
+        /// Radius.
+        radius: NodeId,
+    },
+    /// Along the object's axes.
+    Rectangle {
+        /// Extent along the object's x axis.
+        width: NodeId,
+        /// Extent along the object's y axis.
+        height: NodeId,
+    },
+}
+
+/// The slots of an object's attributes that place it in the world: `x y z` and
+/// `theta` (or `yaw`), `pitch`, `roll`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct PoseSlots {
+    pub(super) position: [Option<u8>; 3],
+    pub(super) angles: [Option<u8>; 3],
+}
+
+impl PoseSlots {
+    /// Finds them by name among attributes that start at `first_slot`.
+    pub(super) fn find(attributes: &[Attribute<'_>], first_slot: u8) -> PoseSlots {
+        let mut pose = PoseSlots::default();
+        for (attribute, slot) in attributes.iter().zip(first_slot..) {
+            let [x, y, z] = &mut pose.position;
+            let [yaw, pitch, roll] = &mut pose.angles;
+            let place = match attribute.name {
+                "x" => x,
+                "y" => y,
+                "z" => z,
+                "theta" | "yaw" => yaw,
+                "pitch" => pitch,
+                "roll" => roll,
+                _ => continue,
+            };
+            *place = Some(slot);
+        }
+        pose
+    }
+}

@@ -1,0 +1,290 @@
+//! Terms, as nodes in a list.
+//!
+//! An expression is a node in a list in which operands stand before the node that
+//! uses them, so a list is evaluated in one sweep, and equal terms are stored once.
+
+use crate::error::Error;
+use crate::real::Real;
+use crate::table::Blank;
+use core::mem::discriminant;
+use heapless::VecView;
+
+/// Index of a node in its list.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct NodeId(pub u16);
+
+/// A number read off the pose of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coordinate {
+    /// Position along the world's x axis.
+    X,
+    /// Position along the world's y axis.
+    Y,
+    /// Position along the world's z axis.
+    Z,
+    /// Heading in the world's x-y plane.
+    Theta,
+}
+
+/// How far apart two points are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Metric {
+    /// `|a.x - b.x|`
+    X,
+    /// `|a.y - b.y|`
+    Y,
+    /// `|a.z - b.z|`
+    Z,
+    /// The length of the straight line between them, in 2D or 3D.
+    Straight,
+}
+
+/// A number that an instance and a sample have for an object or for points. Of the
+/// members of a group it names the first one, which stands for each of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// An attribute of an object, by its place in an instance.
+    Attribute(u8),
+    /// A coordinate of a point.
+    Coordinate(Coordinate, u8),
+    /// The distance of two points.
+    Distance(Metric, u8, u8),
+    /// The angle between the x axes of two points, in `[0, pi]`.
+    Angle(u8, u8),
+    /// The angle at the second point between the directions to the first and to the
+    /// third, in `[0, pi]`; zero where one of them is the second point itself.
+    VertexAngle(u8, u8, u8),
+}
+
+impl Quantity {
+    /// Its place in an instance, if it is an attribute.
+    pub(super) fn slot(self) -> Option<u8> {
+        match self {
+            Quantity::Attribute(slot) => Some(slot),
+            Quantity::Coordinate(..)
+            | Quantity::Distance(..)
+            | Quantity::Angle(..)
+            | Quantity::VertexAngle(..) => None,
+        }
+    }
+
+    /// The points that it is about.
+    pub(super) fn points(self) -> [Option<u8>; 3] {
+        match self {
+            Quantity::Attribute(_) => [None; 3],
+            Quantity::Coordinate(_, a) => [Some(a), None, None],
+            Quantity::Distance(_, a, b) | Quantity::Angle(a, b) => [Some(a), Some(b), None],
+            Quantity::VertexAngle(a, b, c) => [Some(a), Some(b), Some(c)],
+        }
+    }
+
+    /// The same of other points, of which it takes as many as it has.
+    pub(super) fn with_points(self, [a, b, c]: [u8; 3]) -> Quantity {
+        match self {
+            Quantity::Attribute(slot) => Quantity::Attribute(slot),
+            Quantity::Coordinate(axis, _) => Quantity::Coordinate(axis, a),
+            Quantity::Distance(metric, ..) => Quantity::Distance(metric, a, b),
+            Quantity::Angle(..) => Quantity::Angle(a, b),
+            Quantity::VertexAngle(..) => Quantity::VertexAngle(a, b, c),
+        }
+    }
+}
+
+/// One term. Indices of constants, attributes, points and shapes refer to the
+/// domain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Node {
+    /// A literal number; it fits every dimension.
+    Number(f64),
+    /// A constant.
+    Constant(u8),
+    /// A parameter of the action.
+    Parameter(u8),
+    /// The area of a shape.
+    Area(u8),
+    /// A quantity of an object or of points.
+    Quantity(Quantity),
+    /// The least or greatest value of a quantity over the members of a group that an
+    /// instance has.
+    Extreme(Extreme, Quantity),
+    /// `a + b`
+    Sum(NodeId, NodeId),
+    /// `a - b`
+    Difference(NodeId, NodeId),
+    /// `a * b`
+    Product(NodeId, NodeId),
+}
+
+impl Blank for Node {
+    const BLANK: Self = Node::Number(0.0);
+}
+
+const _: () = assert!(
+    size_of::<Node>() == 16,
+    "tables of features are made of them"
+);
+
+/// Makes a term of two operands.
+type Operation = fn(NodeId, NodeId) -> Node;
+
+/// What a term is: each question is answered for every kind of term, once.
+impl Node {
+    /// The operands of a sum, difference or product, and what makes one of others.
+    pub(crate) fn operands(self) -> Option<(NodeId, NodeId, Operation)> {
+        match self {
+            Node::Sum(a, b) => Some((a, b, Node::Sum)),
+            Node::Difference(a, b) => Some((a, b, Node::Difference)),
+            Node::Product(a, b) => Some((a, b, Node::Product)),
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Area(_)
+            | Node::Quantity(_)
+            | Node::Extreme(..) => None,
+        }
+    }
+
+    /// The parameter that it is.
+    pub(super) fn parameter(self) -> Option<u8> {
+        match self {
+            Node::Parameter(parameter) => Some(parameter),
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Area(_)
+            | Node::Quantity(_)
+            | Node::Extreme(..)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => None,
+        }
+    }
+
+    /// Whether its value is given: by itself, the domain or an instance. All others need
+    /// a pose, parameters or operands.
+    pub(super) fn is_given(self) -> bool {
+        match self {
+            Node::Number(_) | Node::Constant(_) | Node::Area(_) => true,
+            Node::Quantity(quantity) => quantity.slot().is_some(),
+            Node::Parameter(_)
+            | Node::Extreme(..)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => false,
+        }
+    }
+
+    /// The quantity that it is, as it is: not the extreme of one.
+    pub(super) fn quantity(self) -> Option<Quantity> {
+        match self {
+            Node::Quantity(quantity) => Some(quantity),
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Area(_)
+            | Node::Extreme(..)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => None,
+        }
+    }
+}
+
+/// Which of several values counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extreme {
+    /// `min(...)`
+    Least,
+    /// `max(...)`
+    Greatest,
+}
+
+impl Extreme {
+    /// Both, in the order of the grammar.
+    pub const ALL: [Extreme; 2] = [Extreme::Least, Extreme::Greatest];
+
+    /// The one of two values that counts.
+    pub fn of<R: Real>(self, a: R, b: R) -> R {
+        match self {
+            Extreme::Least => a.min(b),
+            Extreme::Greatest => a.max(b),
+        }
+    }
+
+    /// The value over nothing: infinite, so that "at least" of a least value and
+    /// "at most" of a greatest one hold.
+    pub fn of_nothing<R: Real>(self) -> R {
+        match self {
+            Extreme::Least => R::INFINITY,
+            Extreme::Greatest => -R::INFINITY,
+        }
+    }
+}
+
+/// Why a list of terms is of no use; small, because expressions are walked recursively.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TermError {
+    /// A list is full.
+    Full,
+    /// A term is not in its list.
+    Missing,
+}
+
+impl From<TermError> for Error {
+    fn from(error: TermError) -> Error {
+        match error {
+            TermError::Full => Error::CapacityExceeded("terms of expressions"),
+            TermError::Missing => Error::InvalidArgument("an expression refers to a missing term"),
+        }
+    }
+}
+
+/// Appends a node to a list, or finds it there.
+///
+/// # Errors
+/// [`TermError::Full`].
+pub(crate) fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, TermError> {
+    let place = match nodes.iter().position(|n| *n == node) {
+        Some(place) => place,
+        None => {
+            nodes.push(node).map_err(|_| TermError::Full)?;
+            nodes.len() - 1
+        }
+    };
+    u16::try_from(place)
+        .map(NodeId)
+        .map_err(|_| TermError::Full)
+}
+
+/// Whether two expressions, each in a list of its own, are the same.
+pub(crate) fn is_same(nodes: &[Node], id: NodeId, others: &[Node], other: NodeId) -> bool {
+    let same = |a, b| is_same(nodes, a, others, b);
+    let (Ok(own), Ok(other)) = (node_at(nodes, id), node_at(others, other)) else {
+        return false;
+    };
+    match (own.operands(), other.operands()) {
+        (Some((a, b, _)), Some((c, d, _))) => {
+            discriminant(&own) == discriminant(&other) && same(a, c) && same(b, d)
+        }
+        _ => own == other,
+    }
+}
+
+/// Copies an expression from one list into another.
+///
+/// # Errors
+/// [`TermError`].
+pub(crate) fn copy(from: &[Node], id: NodeId, to: &mut VecView<Node>) -> Result<NodeId, TermError> {
+    let node = node_at(from, id)?;
+    let node = match node.operands() {
+        Some((a, b, make)) => make(copy(from, a, to)?, copy(from, b, to)?),
+        None => node,
+    };
+    intern(to, node)
+}
+
+pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, TermError> {
+    nodes
+        .get(usize::from(id.0))
+        .copied()
+        .ok_or(TermError::Missing)
+}

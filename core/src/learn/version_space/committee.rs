@@ -1,0 +1,100 @@
+//! The committee: hypotheses of each step that are consistent with the answers, or were.
+
+use super::bound::Bound;
+use super::clause::Clause;
+use super::forms::Forms;
+use super::hypothesis::Hypothesis;
+use crate::real::Real;
+
+/// Hypotheses of one step.
+pub(super) const MEMBERS: usize = 8;
+
+/// For each step the best hypothesis that is known and others, chosen with some chance, to
+/// doubt it. The members of one place in all steps vote together, about the sequence.
+#[derive(Debug)]
+pub(super) struct Committee<'m, R> {
+    /// [`MEMBERS`] for each step, the best one first.
+    hypotheses: &'m mut [Hypothesis<R>],
+}
+
+/// How many members expect a sample to work, and how many do not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Votes {
+    in_favour: usize,
+    against: usize,
+}
+
+impl Votes {
+    /// How evenly they split: zero if all agree.
+    pub(super) fn disagreement(self) -> usize {
+        self.in_favour * self.against
+    }
+}
+
+impl<'m, R: Real> Committee<'m, R> {
+    /// A committee of hypotheses that admit everything.
+    pub(super) fn new(hypotheses: &'m mut [Hypothesis<R>]) -> Self {
+        hypotheses.iter_mut().for_each(Hypothesis::clear);
+        Committee { hypotheses }
+    }
+
+    /// The best hypothesis of each step.
+    pub(super) fn best(&self) -> impl Iterator<Item = &Hypothesis<R>> {
+        self.hypotheses.iter().step_by(MEMBERS)
+    }
+
+    /// The clauses of the best hypotheses, each with its step.
+    pub(super) fn best_clauses(&self) -> impl Iterator<Item = (usize, &Clause<R>)> {
+        let all = self.best().enumerate();
+        all.flat_map(|(step, best)| best.clauses.iter().map(move |clause| (step, clause)))
+    }
+
+    /// The bounds of the best hypotheses, each with its clause.
+    pub(super) fn best_bounds(&self) -> impl Iterator<Item = (&Clause<R>, &Bound<R>)> {
+        self.best_clauses()
+            .flat_map(|(_, clause)| clause.bounds().map(move |bound| (clause, bound)))
+    }
+
+    /// For each step the best hypothesis and the others, to change.
+    pub(super) fn steps_mut(
+        &mut self,
+    ) -> impl Iterator<Item = (usize, (&mut Hypothesis<R>, &mut [Hypothesis<R>]))> {
+        let steps = self.hypotheses.chunks_mut(MEMBERS);
+        let split = steps.map(<[_]>::split_first_mut);
+        split.flatten().enumerate()
+    }
+
+    /// Whether the best hypotheses are consistent with all answers.
+    pub(super) fn is_consistent(&self) -> bool {
+        self.best().all(|best| best.consistent)
+    }
+
+    /// The length of the best hypotheses in bits.
+    pub(super) fn length(&self, forms: &Forms<'_, R>) -> f64 {
+        self.best().map(|best| best.length(forms)).sum()
+    }
+
+    /// How the members vote on a sample at which forms have these values. The best
+    /// hypotheses vote only if they agree with every answer: one that can bend to an answer
+    /// would ask for it again.
+    pub(super) fn vote(&self, value: impl Fn(&Bound<R>) -> R) -> Votes {
+        let half = R::from_f64(0.5);
+        let holds = |bound: &Bound<R>| bound.position(value(bound)) < half;
+        let agrees = |hypothesis: &Hypothesis<R>| {
+            let mut clauses = hypothesis.clauses.iter();
+            clauses.all(|clause| clause.bounds().any(holds))
+        };
+        let strained = self.best_bounds().any(|(_, bound)| bound.strain > R::ZERO);
+        let voters = usize::from(strained)..MEMBERS;
+        let all = voters.len();
+        let in_favour = voters.filter(|member| {
+            let mut own = self.hypotheses.iter().skip(*member).step_by(MEMBERS);
+            own.all(agrees)
+        });
+        let in_favour = in_favour.count();
+        Votes {
+            in_favour,
+            against: all - in_favour,
+        }
+    }
+}

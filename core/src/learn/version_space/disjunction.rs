@@ -1,0 +1,228 @@
+//! The search for disjunctions of two bounds, for what no single bound can say.
+//!
+//! Two bounds of one form exclude an interval of its values. Bounds of two forms
+//! make a feasible set of two pieces: a conjunction of such clauses is a union
+//! of conjunctions, with what they have in common said once.
+
+use super::bound::Bound;
+use super::clause::Clause;
+use super::forms::{DirectedForm, SampleSet, StepView};
+use super::greedy::Randomisation;
+use super::tuning::Tuning;
+use crate::real::Real;
+use crate::table::{gather, move_last, take_out};
+use heapless::Vec;
+
+/// Room for [`Tuning::beam`].
+const MAX_BEAM: usize = 24;
+/// Room for [`Tuning::interval_starts`].
+const MAX_STARTS: usize = 4;
+
+/// The disjunction that excludes most of `open` for its length.
+#[inline(never)]
+pub(super) fn best_disjunction<R: Real>(
+    view: &StepView<'_, '_, R>,
+    open: &SampleSet,
+) -> Option<Clause<R>> {
+    let mut best = Best::default();
+    let pivots = view.forms.tuning().pivots as usize;
+    let every = open.len().div_ceil(pivots.max(1));
+    for pivot in open.iter().step_by(every.max(1)) {
+        let search = Search { view, open, pivot };
+        search.offer_intervals(&mut best);
+        if let Some(start) = search.pair().0 {
+            search.offer_polished(&start, &mut best);
+        }
+    }
+    best.0.map(|candidate| candidate.clause)
+}
+
+/// A clause and what it is worth.
+#[derive(Clone, Copy)]
+struct Candidate<R> {
+    worth: f64,
+    clause: Clause<R>,
+}
+
+/// The first of the clauses that are worth most.
+struct Best<R>(Option<Candidate<R>>);
+
+impl<R> Default for Best<R> {
+    fn default() -> Self {
+        Best(None)
+    }
+}
+
+impl<R: Real> Best<R> {
+    fn offer(&mut self, new: Candidate<R>) {
+        if self.0.as_ref().is_none_or(|best| new.worth > best.worth) {
+            self.0 = Some(new);
+        }
+    }
+}
+
+/// The search for a clause that excludes a certain sample.
+struct Search<'s, 'v, 'm, R> {
+    view: &'s StepView<'v, 'm, R>,
+    /// What is to be excluded.
+    open: &'s SampleSet,
+    /// Among that, the sample that the clause excludes in any case.
+    pivot: usize,
+}
+
+impl<R: Real> Search<'_, '_, '_, R> {
+    fn tuning(&self) -> &'static Tuning {
+        self.view.forms.tuning()
+    }
+
+    /// A clause that excludes so many: worth more with simple forms, and with one.
+    fn rate(&self, clause: Clause<R>, excluded: usize) -> Candidate<R> {
+        let tuning = self.tuning();
+        let discount = |bound: &Bound<R>| Randomisation::GREEDY.discount(bound.form.level, tuning);
+        let first = &clause.bound;
+        let second = clause.or.filter(|or| or.form.index != first.form.index);
+        let second = second.map_or(0.0, |or| tuning.discount_second + discount(&or));
+        let plainness = tuning.disjunction_plainness;
+        Candidate {
+            worth: excluded as f64 * (1.0 - plainness * (discount(first) + second)),
+            clause,
+        }
+    }
+
+    /// Offers, for some left sides, what is near the clause without an interval of
+    /// values around the pivot in which nothing works.
+    #[inline(never)]
+    fn offer_intervals(&self, all: &mut Best<R>) {
+        let starts = self.tuning().interval_starts as usize;
+        let mut best: Vec<Candidate<R>, MAX_STARTS> = Vec::new();
+        self.view.forms.for_each(u8::MAX, |below| {
+            let Some(new) = below.upper.then(|| self.interval(below)).flatten() else {
+                return;
+            };
+            let same = |old: &Candidate<R>| old.clause.bound.form.lhs == below.lhs;
+            if let Some(own) = best.iter().position(same) {
+                if best.get(own).is_some_and(|old| old.worth >= new.worth) {
+                    return;
+                }
+                take_out(&mut best, own);
+            }
+            insert_sorted(&mut best, starts, new, |a, b| a.worth > b.worth);
+        });
+        for start in &best {
+            self.offer_polished(start, all);
+        }
+    }
+
+    /// The clause that excludes the interval of a form around the pivot.
+    fn interval(&self, below: DirectedForm) -> Option<Candidate<R>> {
+        let value = |sample: usize| self.view.value(&below, sample);
+        let at = value(self.pivot);
+        let (mut low, mut high) = (R::NEG_INFINITY, R::INFINITY);
+        for value in self.view.feasible.iter().map(value) {
+            if value < at {
+                low = low.max(value);
+            } else {
+                high = high.min(value);
+            }
+        }
+        if !(low.is_finite() && high.is_finite() && at < high) {
+            return None;
+        }
+        let inside = self.open.iter().map(value);
+        let excluded = inside.filter(|v| low < *v && *v < high).count();
+        let clause = Clause::any_of(
+            Bound::new(below, low, at, R::ONE),
+            Bound::new(below.reversed(), -high, -at, R::ONE),
+        );
+        Some(self.rate(clause, excluded))
+    }
+
+    /// Two bounds of simple forms, neither of which the pivot satisfies, and one of
+    /// which every feasible sample does.
+    fn pair(&self) -> Best<R> {
+        let mut best = Best::default();
+        for first in self.promising().iter().copied() {
+            let level = self.tuning().pair_level as u8;
+            self.view.forms.for_each(level, |second| {
+                if let Some(new) = self.candidate([first, second]) {
+                    best.offer(new);
+                }
+            });
+        }
+        best
+    }
+
+    #[inline(never)]
+    fn candidate(&self, forms: [DirectedForm; 2]) -> Option<Candidate<R>> {
+        let [first, second] = forms;
+        let value = |form: &DirectedForm, sample| self.view.value(form, sample);
+        let at = [value(&first, self.pivot), value(&second, self.pivot)];
+        let corner = self.view.corner([&first, &second], at);
+        let [inner, or] = corner.filter(|c| c.iter().all(|end| end.is_finite()))?;
+        let beyond = |s: &usize| value(&first, *s) > inner && value(&second, *s) > or;
+        let excluded = self.open.iter().filter(beyond).count();
+        let [start, or_start] = at;
+        let clause = Clause::any_of(
+            Bound::new(first, inner, start, R::ONE),
+            Bound::new(second, or, or_start, R::ONE),
+        );
+        Some(self.rate(clause, excluded))
+    }
+
+    /// Tries other right sides of any level, for one bound after the other, and offers
+    /// the best.
+    #[inline(never)]
+    fn offer_polished(&self, start: &Candidate<R>, all: &mut Best<R>) {
+        let mut best = Best(Some(*start));
+        let mut polished = *start;
+        for _ in 0..self.tuning().polish_rounds {
+            let forms = self.view.forms;
+            polished.clause.for_each_neighbour(forms, |forms| {
+                if let Some(new) = self.candidate(forms) {
+                    best.offer(new);
+                }
+            });
+            polished = best.0.unwrap_or(polished);
+        }
+        all.offer(polished);
+    }
+
+    /// The bounds that split the feasible samples and leave most others outside.
+    fn promising(&self) -> Vec<DirectedForm, MAX_BEAM> {
+        let (beam, level) = (self.tuning().beam as usize, self.tuning().pair_level as u8);
+        let mut best: Vec<(usize, DirectedForm), MAX_BEAM> = Vec::new();
+        let feasible = &self.view.feasible;
+        let all = feasible.len();
+        self.view.forms.for_each(level, |form| {
+            let start = self.view.value(&form, self.pivot);
+            let value = |sample: usize| self.view.value(&form, sample);
+            let inside = feasible.iter().filter(|s| value(*s) < start).count();
+            if inside == 0 || inside == all {
+                return;
+            }
+            let outside = self.open.iter().filter(|s| value(*s) >= start).count();
+            insert_sorted(&mut best, beam, (inside * outside, form), |a, b| a.0 > b.0);
+        });
+        gather(best.iter().map(|(_, form)| *form))
+    }
+}
+
+/// Inserts before what is worse, if there are fewer than `most` or the last is worse.
+fn insert_sorted<T, const N: usize>(
+    sorted: &mut Vec<T, N>,
+    most: usize,
+    new: T,
+    better: impl Fn(&T, &T) -> bool,
+) {
+    let place = sorted.iter().position(|other| better(&new, other));
+    let place = place.unwrap_or(sorted.len());
+    if sorted.len() >= most.min(N) {
+        if place >= sorted.len() {
+            return;
+        }
+        sorted.pop();
+    }
+    if sorted.push(new).is_ok() {
+        move_last(sorted, place);
+    }
+}

@@ -1,0 +1,85 @@
+//! Sets of samples, a bit each.
+
+/// Most words of a set.
+pub(in super::super) const MAX_WORDS: usize = match cfg!(feature = "many_observations") {
+    true => 32,
+    false => 4,
+};
+
+/// A set of samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in super::super) struct SampleSet {
+    words: [u64; MAX_WORDS],
+}
+
+impl SampleSet {
+    pub(in super::super) const EMPTY: SampleSet = SampleSet {
+        words: [0; MAX_WORDS],
+    };
+
+    /// The set with these words; what they do not tell about is not in it.
+    pub(super) fn of_words<'w>(own: impl IntoIterator<Item = &'w u64>) -> SampleSet {
+        let mut set = SampleSet::EMPTY;
+        for (word, own) in set.words.iter_mut().zip(own) {
+            *word = *own;
+        }
+        set
+    }
+
+    /// A bit for each sample.
+    pub(super) fn words(&self) -> &[u64; MAX_WORDS] {
+        &self.words
+    }
+
+    pub(in super::super) fn is_empty(&self) -> bool {
+        self.words.iter().all(|word| *word == 0)
+    }
+
+    /// How many samples are in it.
+    pub(in super::super) fn len(&self) -> usize {
+        let counts = self.words.iter().map(|word| word.count_ones() as usize);
+        counts.sum()
+    }
+
+    pub(in super::super) fn insert(&mut self, sample: usize) {
+        if let Some(word) = self.words.get_mut(sample / 64) {
+            *word |= 1 << (sample % 64);
+        }
+    }
+
+    /// Takes out what is in another set.
+    pub(in super::super) fn subtract(&mut self, other: &SampleSet) {
+        for (word, other) in self.words.iter_mut().zip(&other.words) {
+            *word &= !other;
+        }
+    }
+
+    /// Keeps what is in another set, too.
+    pub(in super::super) fn intersect(&mut self, other: &SampleSet) {
+        for (word, other) in self.words.iter_mut().zip(&other.words) {
+            *word &= other;
+        }
+    }
+
+    /// Puts in what is in another set. Returns what was in both.
+    pub(in super::super) fn unite(&mut self, other: &SampleSet) -> SampleSet {
+        let mut both = *other;
+        both.intersect(self);
+        for (word, other) in self.words.iter_mut().zip(&other.words) {
+            *word |= other;
+        }
+        both
+    }
+
+    /// Its samples, ascending.
+    pub(in super::super) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+        self.words.iter().enumerate().flat_map(|(index, word)| {
+            let mut left = *word;
+            core::iter::from_fn(move || {
+                let next = left.trailing_zeros();
+                left &= left.wrapping_sub(1);
+                (next < u64::BITS).then_some(64 * index + next as usize)
+            })
+        })
+    }
+}

@@ -1,0 +1,83 @@
+//! The forms as they look at the samples of one step.
+
+use super::{DirectedForm, Forms, SampleSet};
+use crate::real::Real;
+
+/// The forms, and the feasible and infeasible samples of one step of a sequence of actions:
+/// what a hypothesis about that step is made of.
+pub(in super::super) struct StepView<'v, 'm, R> {
+    pub(in super::super) forms: &'v Forms<'m, R>,
+    pub(super) step: usize,
+    pub(in super::super) feasible: SampleSet,
+    pub(in super::super) infeasible: SampleSet,
+}
+
+impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
+    /// Of a step, counted from zero.
+    pub(in super::super) fn new(forms: &'v Forms<'m, R>, step: usize) -> Self {
+        StepView {
+            forms,
+            step,
+            feasible: forms.sample_set(step, true),
+            infeasible: forms.sample_set(step, false),
+        }
+    }
+
+    /// The value of a form at a sample, outwards.
+    pub(in super::super) fn value(&self, form: &DirectedForm, sample: usize) -> R {
+        self.forms.value_at(form, sample)
+    }
+
+    /// The least value of a form in a set.
+    pub(in super::super) fn first_of(&self, form: &DirectedForm, set: &SampleSet) -> R {
+        let values = set.iter().map(|sample| self.value(form, sample));
+        values.fold(R::INFINITY, R::min)
+    }
+
+    /// How far a form ranges over the samples.
+    pub(in super::super) fn range(&self, form: &DirectedForm) -> R {
+        let samples = self.feasible.iter().chain(self.infeasible.iter());
+        let (low, high) = samples.fold((R::INFINITY, R::NEG_INFINITY), |(low, high), sample| {
+            let value = self.value(form, sample);
+            if value.is_finite() {
+                (low.min(value), high.max(value))
+            } else {
+                (low, high)
+            }
+        });
+        high - low
+    }
+
+    /// How far two bounds reach, of which each feasible sample satisfies one; `None` if
+    /// one is beyond both ends of `at`. A sample that may satisfy either extends the one
+    /// that it is nearer to.
+    pub(in super::super) fn corner(&self, forms: [&DirectedForm; 2], at: [R; 2]) -> Option<[R; 2]> {
+        let [first, second] = forms;
+        let [end, or_end] = at;
+        let values = || {
+            let own = |sample| (self.value(first, sample), self.value(second, sample));
+            self.feasible.iter().map(own)
+        };
+        let (mut inner, mut or) = (R::NEG_INFINITY, R::NEG_INFINITY);
+        for (value, other) in values() {
+            match (value < end, other < or_end) {
+                (false, false) => return None,
+                (true, false) => inner = inner.max(value),
+                (false, true) => or = or.max(other),
+                (true, true) => {}
+            }
+        }
+        for (value, other) in values() {
+            if value > inner && other > or {
+                let way = (value - inner) / (end - inner);
+                let other_way = (other - or) / (or_end - or);
+                if way <= other_way || !other_way.is_finite() {
+                    inner = value;
+                } else {
+                    or = other;
+                }
+            }
+        }
+        Some([inner, or])
+    }
+}

@@ -1,0 +1,71 @@
+//! The values of forms at samples: a matrix of right sides in instances, and one of left
+//! sides at samples.
+
+use super::Sample;
+use crate::real::Real;
+use crate::table::Table;
+use core::ops::Range;
+
+/// What the value of a form at a sample follows from.
+#[derive(Debug)]
+pub(super) struct Values<'m, R> {
+    /// Right sides, a row for each instance.
+    pub(super) rhs: &'m mut [R],
+    pub(super) rhs_count: usize,
+    /// Left sides, a row for each sample.
+    pub(super) lhs: &'m mut [R],
+    pub(super) lhs_count: usize,
+    pub(super) samples: Table<'m, Sample>,
+}
+
+impl<R: Real> Values<'_, R> {
+    /// Appends a sample with its left sides.
+    pub(super) fn push(&mut self, instance: usize, lhs: &[R]) {
+        let rows = self.lhs.chunks_exact_mut(self.lhs_count.max(1));
+        let row = rows.into_iter().nth(self.samples.len());
+        for (slot, value) in row.unwrap_or(&mut []).iter_mut().zip(lhs) {
+            *slot = *value;
+        }
+        // There is room: as much as for observations, of which each decides one at most.
+        let _ = self.samples.push(Sample {
+            instance: instance as u32,
+        });
+    }
+
+    /// The right sides in an instance.
+    pub(super) fn rhs_in(&self, instance: usize) -> &[R] {
+        let row = self.rhs.chunks_exact(self.rhs_count.max(1)).nth(instance);
+        row.unwrap_or(&[])
+    }
+
+    pub(super) fn instance_of(&self, sample: usize) -> usize {
+        let sample = self.samples.as_slice().get(sample);
+        sample.map_or(0, |s| s.instance as usize)
+    }
+
+    fn lhs_at(&self, lhs: usize, sample: usize) -> Option<R> {
+        self.lhs.get(sample * self.lhs_count + lhs).copied()
+    }
+
+    /// The value of a form at a sample.
+    pub(super) fn at(&self, lhs: usize, rhs: usize, sample: usize) -> R {
+        let place = self.instance_of(sample) * self.rhs_count + rhs;
+        match (self.lhs_at(lhs, sample), self.rhs.get(place)) {
+            (Some(lhs), Some(rhs)) => lhs - *rhs,
+            _ => R::NAN,
+        }
+    }
+
+    /// The values of forms with one left side and neighbouring right sides at a sample.
+    #[inline(always)]
+    pub(super) fn of_run(
+        &self,
+        lhs: usize,
+        rhs: &Range<usize>,
+        sample: usize,
+    ) -> impl Iterator<Item = R> {
+        let lhs = self.lhs_at(lhs, sample).unwrap_or(R::NAN);
+        let rhs = self.rhs_in(self.instance_of(sample)).get(rhs.clone());
+        rhs.unwrap_or(&[]).iter().map(move |rhs| lhs - *rhs)
+    }
+}

@@ -1,0 +1,136 @@
+//! Local search for a shorter hypothesis: clauses are replaced one by one, or left out.
+
+use super::bound::Bound;
+use super::clause::Clause;
+use super::forms::{SampleSet, StepView};
+use super::hypothesis::{Hypothesis, MAX_CLAUSES, Overlap};
+use crate::real::Real;
+use crate::table::{Blank, take_out};
+
+/// By how many bits a hypothesis must be shorter to replace another: more than rounding.
+const SHORTER: f64 = 1e-6;
+
+/// What makes one hypothesis better than another.
+pub(super) struct Objective<'o, R> {
+    /// How far instances may stray, see [`Config::slack`](super::Config::slack).
+    pub(super) slack: f64,
+    /// The length of the names of a clause's thresholds, beyond [`Clause::length`], in bits.
+    pub(super) naming: &'o dyn Fn(&Clause<R>) -> f64,
+}
+
+impl<R: Real> Objective<'_, R> {
+    /// The length of a hypothesis with names for its thresholds, in bits.
+    pub(super) fn length(&self, hypothesis: &Hypothesis<R>, view: &StepView<'_, '_, R>) -> f64 {
+        let naming: f64 = hypothesis.clauses.iter().map(self.naming).sum();
+        hypothesis.length(view.forms) + naming
+    }
+}
+
+impl<R: Real> Hypothesis<R> {
+    /// Looks for a shorter one nearby: replaces clauses by better ones, and leaves out those
+    /// that others nearly make superfluous.
+    pub(super) fn improve(&mut self, view: &StepView<'_, '_, R>, objective: &Objective<'_, R>) {
+        for _ in 0..MAX_CLAUSES {
+            let improved = self.replace(view, objective);
+            let shortened = self.shorten(view, objective);
+            if !improved && !shortened {
+                return;
+            }
+        }
+    }
+
+    fn replace(&mut self, view: &StepView<'_, '_, R>, objective: &Objective<'_, R>) -> bool {
+        let mut improved = false;
+        for index in 0..self.clauses.len() {
+            let better = self.better(view, index, objective);
+            if let (Some(better), Some(slot)) = (better, self.clauses.get_mut(index)) {
+                improved = true;
+                *slot = better;
+            }
+        }
+        if improved {
+            self.refit(view, objective.slack);
+        }
+        improved
+    }
+
+    /// The best clause for the place of one, if that is not the best.
+    #[inline(never)]
+    fn better(
+        &self,
+        view: &StepView<'_, '_, R>,
+        index: usize,
+        objective: &Objective<'_, R>,
+    ) -> Option<Clause<R>> {
+        let forms = view.forms;
+        let (before, rest) = self.clauses.split_at_checked(index)?;
+        let (old, behind) = rest.split_first()?;
+        let others = [before, behind];
+        let alone = self.alone(view, (index, old), &self.overlap(view));
+        let needed = (forms.tuning().replacement * alone.len() as f64) as u32;
+        let naming = objective.naming;
+        let mut best = *old;
+        let mut least = old.length(forms, others) + naming(old) - SHORTER;
+        view.for_each_count(&alone, &mut |form, count| {
+            let mut new = Clause::new(Bound::inside(view, form));
+            let shortest = new.length(forms, others) - forms.threshold_length();
+            if count < needed || shortest >= least {
+                return;
+            }
+            new.bound.range = view.range(&form);
+            if new.fit(view, &alone, objective.slack) {
+                let mut length = new.length(forms, others);
+                if length - forms.threshold_length() < least {
+                    length += naming(&new);
+                    if length < least {
+                        (best, least) = (new, length);
+                    }
+                }
+            }
+        });
+        old.for_each_neighbour(forms, |pair| {
+            if let Some(new) = Clause::between(view, pair, &alone) {
+                let length = new.length(forms, others) + naming(&new);
+                if length < least {
+                    (best, least) = (new, length);
+                }
+            }
+        });
+        (best != *old).then_some(best)
+    }
+
+    /// The infeasible samples that only this clause can exclude: those that only
+    /// it does, and those that none does but that are nearest to it.
+    fn alone(
+        &self,
+        view: &StepView<'_, '_, R>,
+        (index, clause): (usize, &Clause<R>),
+        overlap: &Overlap,
+    ) -> SampleSet {
+        let mut alone = clause.excluded(view);
+        alone.subtract(&overlap.twice);
+        for sample in overlap.open.iter() {
+            if self.nearest(view, sample) == Some(index) {
+                alone.insert(sample);
+            }
+        }
+        alone
+    }
+
+    #[inline(never)]
+    fn shorten(&mut self, view: &StepView<'_, '_, R>, objective: &Objective<'_, R>) -> bool {
+        let mut other = Hypothesis::BLANK;
+        let mut shortened = false;
+        for index in (0..self.clauses.len()).rev() {
+            other.copy_from(self);
+            take_out(&mut other.clauses, index);
+            other.refit(view, objective.slack);
+            let shorter = objective.length(&other, view) < objective.length(self, view) - SHORTER;
+            if other.consistent && shorter {
+                self.copy_from(&other);
+                shortened = true;
+            }
+        }
+        shortened
+    }
+}

@@ -1,0 +1,178 @@
+//! How much a version space learner has room for, and the tables that it lives in.
+
+use super::committee::MEMBERS;
+use super::forms::{MAX_LHS, MAX_WORDS};
+use crate::error::Error;
+use crate::grammar::MAX_CONSTRAINTS;
+use crate::learn::tables::memory;
+
+/// Most observations: 2048, or 256 without the feature `many_observations`.
+pub const MAX_OBSERVATIONS: usize = 64 * MAX_WORDS;
+
+/// Most steps of a sequence of actions.
+pub(super) const MAX_STEPS: usize = 4;
+
+/// How much a learner has room for.
+///
+/// | tables of [`Memory`] | bytes, numbers of 8 bytes |
+/// |---|---|
+/// | `intervals` | 16 per form tracked and step |
+/// | `exclusions` | 16 per form tracked and 64 observations |
+/// | `features`, `rhs_features` | 18 per 8 forms, and 64 more |
+/// | `rhs_values` | 1 per form and instance, and 512 per instance |
+/// | `lhs_values`, `lhs` | [`Capacity::lhs`] times 8 per observation, and once more |
+/// | `hypotheses` | 5120 per step |
+/// | `sample_sets` | 16 per step and 64 observations |
+/// | `region`, `evidence` | about 4200 |
+/// | `samples`, `observations` | 4 and 56 per observation |
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Capacity {
+    /// Forms; those that find no room are left out, the most complex ones.
+    pub forms: usize,
+    /// Of how many of them, the simplest ones, the version space is tracked; of all if
+    /// there are fewer. That of the others is computed from the samples whenever it is
+    /// needed: what is learned is the same, for less memory and more time.
+    pub tracked: usize,
+    /// Observations: outcomes that can be told, at most [`MAX_OBSERVATIONS`].
+    pub observations: usize,
+    /// Problem instances.
+    pub instances: usize,
+    /// Steps of the sequence of actions that is learned about, at most 4.
+    pub steps: usize,
+}
+
+impl Capacity {
+    /// Room for so many forms and observations, 16 instances, and a single action.
+    pub const fn new(forms: usize, observations: usize) -> Capacity {
+        Capacity {
+            forms,
+            tracked: usize::MAX,
+            observations,
+            instances: 16,
+            steps: 1,
+        }
+    }
+
+    /// Features.
+    pub const fn features(self) -> usize {
+        let wanted = 64 + self.forms / 8;
+        if wanted < 60_000 { wanted } else { 60_000 }
+    }
+
+    /// Left sides of forms.
+    pub const fn lhs(self) -> usize {
+        let wanted = 16 + self.forms / 128;
+        if wanted < MAX_LHS { wanted } else { MAX_LHS }
+    }
+
+    /// Numbers that the right sides have in all instances.
+    pub const fn rhs_values(self) -> usize {
+        self.features() * self.instances
+    }
+
+    /// Numbers that the left sides have at the samples; at first, those that all
+    /// features have in an instance.
+    pub const fn lhs_values(self) -> usize {
+        let values = self.lhs() * self.observations;
+        if values < self.features() {
+            self.features()
+        } else {
+            values
+        }
+    }
+
+    /// Forms whose version space is tracked.
+    pub(super) const fn tracked(self) -> usize {
+        if self.tracked < self.forms {
+            self.tracked
+        } else {
+            self.forms
+        }
+    }
+
+    /// Intervals S of forms.
+    pub const fn intervals(self) -> usize {
+        self.tracked() * self.steps
+    }
+
+    /// Words of the bitmaps that tell which form excludes which sample.
+    pub const fn exclusions(self) -> usize {
+        2 * self.tracked() * self.observations.div_ceil(64)
+    }
+
+    /// Words of the sets of samples: at which a step worked, and at which it failed.
+    pub const fn sample_sets(self) -> usize {
+        2 * self.steps * self.observations.div_ceil(64)
+    }
+
+    /// Observations, and samples.
+    pub const fn observations(self) -> usize {
+        self.observations
+    }
+
+    /// Hypotheses: a committee for every step.
+    pub const fn hypotheses(self) -> usize {
+        MEMBERS * self.steps
+    }
+
+    /// What supports the constraints of a region.
+    pub const fn evidence(self) -> usize {
+        MAX_CONSTRAINTS
+    }
+
+    /// Regions: the one that is learned.
+    pub const fn region(self) -> usize {
+        1
+    }
+
+    pub(super) fn check(self) -> Result<(), Error> {
+        if self.steps == 0 || self.steps > MAX_STEPS {
+            return Err(Error::InvalidArgument("a learner has one to four steps"));
+        }
+        if self.observations > MAX_OBSERVATIONS {
+            return Err(Error::InvalidArgument(
+                "a learner has room for at most 2048 observations, or 256 in a small build",
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// The one list of its tables, see `learn/tables.rs`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! version_space_tables {
+    ([$($receiver:tt)*] $real:ty $(, $($argument:tt)*)?) => {
+        $($receiver)*! {
+            [$($($argument)*)?]
+            /// Terms.
+            features: $crate::domain::Node, features;
+            /// Right sides in the instances.
+            rhs_values: $real, rhs_values;
+            /// Left sides at the samples.
+            lhs_values: $real, lhs_values;
+            /// Left sides at the sample that is looked at.
+            lhs: $real, lhs;
+            /// S of the forms.
+            intervals: $crate::learn::version_space::Interval<$real>, intervals;
+            /// Which form excludes which sample.
+            exclusions: u64, exclusions;
+            /// At which samples a step worked and failed.
+            sample_sets: u64, sample_sets;
+            /// The committees.
+            hypotheses: $crate::learn::version_space::Hypothesis<$real>, hypotheses;
+            /// What was asked and told.
+            observations: $crate::learn::Observation, observations;
+            /// What supports the constraints of the region.
+            evidence: $crate::learn::version_space::Evidence, evidence;
+            /// Where the region is written.
+            region: $crate::region::Region, region;
+            /// Samples whose label is decided.
+            samples: $crate::learn::version_space::Sample, observations;
+            /// Which features the right sides are.
+            rhs_features: u16, features;
+        }
+    };
+}
+
+version_space_tables! { [memory] R }

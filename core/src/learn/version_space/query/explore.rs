@@ -1,0 +1,92 @@
+//! Far from all samples, for what nobody suspects.
+
+use super::Strategy;
+use crate::domain::{PointSet, Scene};
+use crate::error::Error;
+use crate::learn::Query;
+use crate::learn::version_space::bound::Bound;
+use crate::random::{Generator, below};
+use crate::real::Real;
+use rand_core::Rng;
+
+impl<R: Real> Strategy<'_, '_, R> {
+    /// The candidate farthest from all samples. Every other time only candidates count that
+    /// the best hypothesis admits, because a gap in it does most harm, or that one of
+    /// several clauses refuses, because there a second piece of a union would be.
+    #[inline(never)]
+    pub(super) fn explore(
+        &self,
+        lhs: &mut [R],
+        rng: &mut Generator,
+        query: &mut Query,
+    ) -> Result<bool, Error> {
+        let mut odd = || rng.next_u32() & 1 == 1;
+        let wanted = if !odd() {
+            None
+        } else if self.committee.best_clauses().nth(1).is_some() && !odd() {
+            Some(1)
+        } else {
+            Some(0)
+        };
+        self.farthest(wanted, lhs, rng, query)
+    }
+
+    /// Of some candidates that are refused by so many clauses of the best
+    /// hypothesis, or by any number, the one farthest from all samples of its instance.
+    #[inline(never)]
+    fn farthest(
+        &self,
+        wanted: Option<usize>,
+        lhs: &mut [R],
+        rng: &mut Generator,
+        query: &mut Query,
+    ) -> Result<bool, Error> {
+        let (problem, tuning) = (self.problem, self.forms.tuning());
+        let points = PointSet::all(problem.domain());
+        let mut most: Option<f64> = None;
+        for _ in 0..tuning.query_instances {
+            let instance = below(rng, problem.count());
+            let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
+            scene.settle()?;
+            for _ in 0..tuning.query_candidates {
+                let theta = self.any_theta(instance, rng);
+                self.forms.evaluate(&scene, &theta, lhs);
+                if wanted.is_some_and(|wanted| self.refusing(instance, lhs) != wanted) {
+                    continue;
+                }
+                let own = Query { instance, theta };
+                let distance = self.distance(&own);
+                if most.is_none_or(|most| distance > most) {
+                    (most, *query) = (Some(distance), own);
+                }
+            }
+        }
+        Ok(most.is_some())
+    }
+
+    /// How many clauses of the best hypothesis refuse a sample.
+    #[inline(never)]
+    fn refusing(&self, instance: usize, lhs: &[R]) -> usize {
+        let value = |bound: &Bound<R>| self.forms.value(&bound.form, instance, lhs);
+        let clauses = self.committee.best_clauses();
+        clauses.filter(|(_, clause)| !clause.admits(value)).count()
+    }
+
+    /// The squared distance to the nearest sample of the instance, in units of the
+    /// ranges of the parameters.
+    #[inline(never)]
+    fn distance(&self, query: &Query) -> f64 {
+        let own = self.observations.iter();
+        let own = own.filter(|o| o.instance as usize == query.instance);
+        let apart = own.map(|o| {
+            let pairs = o.theta.iter().zip(&query.theta);
+            let pairs = pairs.zip(self.problem.domain().parameters());
+            let squares = pairs.map(|((a, b), p)| {
+                let share = (a - b) / (p.high - p.low);
+                share * share
+            });
+            squares.filter(|s| s.is_finite()).sum::<f64>()
+        });
+        apart.fold(f64::INFINITY, f64::min)
+    }
+}

@@ -1,0 +1,159 @@
+//! Which sample to ask about next.
+//!
+//! | strategy | when | what it asks |
+//! |---|---|---|
+//! | [`disagree`] | the committee is not of one mind | the candidate that splits its votes most evenly (query by committee, Seung, Opper and Sompolinsky 1992) |
+//! | [`bisect`] | it is | the middle of the widest gap between the ends of a bound |
+//! | [`probe`] | all gaps are narrow | just inside or just outside of a bound, in an instance where nobody asked there: a bound that fits the instances by chance does not survive that |
+//! | [`explore`] | now and then | far from all samples, for what nobody suspects |
+//! | [`certify`] | at the end | draws from the region |
+//!
+//! A scene is large. What makes one is never inlined, so that one at a time is on the
+//! stack, nor what is done beside it; the values of the left sides are in lent memory.
+//! A query is written where it will be asked from, and a function tells whether it found
+//! one: a way of eight returned queries would take as much stack as a scene.
+
+mod bisect;
+mod candidate;
+mod certify;
+mod disagree;
+mod explore;
+mod probe;
+
+use super::committee::Committee;
+use super::forms::Forms;
+use super::{Pending, VersionSpace};
+use crate::error::Error;
+use crate::learn::{Learner, Observation, Problem, Query};
+use crate::random::{Generator, uniform};
+use crate::real::Real;
+
+/// What is known when a query is chosen.
+struct Strategy<'s, 'm, R> {
+    problem: &'s Problem<'s>,
+    forms: &'s Forms<'m, R>,
+    committee: &'s Committee<'m, R>,
+    observations: &'s [Observation],
+}
+
+impl<R: Real> Strategy<'_, '_, R> {
+    /// What the committee asks, if there is a reason to ask anything. `lhs` has room for
+    /// the left sides at a sample.
+    #[inline(never)]
+    fn committee_query(
+        &self,
+        lhs: &mut [R],
+        rng: &mut Generator,
+        query: &mut Query,
+    ) -> Result<bool, Error> {
+        Ok(
+            self.disagree(lhs, rng, query)?
+                || self.bisect(rng, query)?
+                || self.probe(rng, query)?,
+        )
+    }
+}
+
+impl<'m, R: Real> VersionSpace<'m, R> {
+    /// Chooses what is pending.
+    #[inline(never)]
+    pub(super) fn next_query(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
+        if self.is_finished() {
+            return Err(Error::OutOfSequence(
+                "learning is finished: ask for the region",
+            ));
+        }
+        let mut query =
+            candidate::anywhere(problem, &mut self.rng, self.config.tuning.proposal_scales);
+        if self.unasked.is_some()
+            && let Some(instance) = self.unasked_instance(problem)
+        {
+            query.instance = instance;
+        }
+        let mut certifying = false;
+        if self.report.feasible > 0 && self.report.infeasible > 0 {
+            certifying = self.calls_left() <= self.certify_from && self.is_explained();
+            if certifying {
+                certifying = self.draw_to_certify(problem, &mut query)?;
+            } else {
+                self.doubt(problem, &mut query)?;
+            }
+        }
+        self.pending = Some(Pending {
+            query,
+            lead: 0,
+            failed_step: 1,
+            certifying,
+        });
+        Ok(())
+    }
+
+    /// What tells hypotheses apart, or looks for what nobody suspects; the query stays
+    /// if there is nothing.
+    #[inline(never)]
+    fn doubt(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<(), Error> {
+        if self.is_doubtful() {
+            self.reselect(problem.domain());
+        } else {
+            self.repair();
+        }
+        // A selection in between has random numbers of its own.
+        let mut rng = self.rng.clone();
+        self.choose(problem, &mut rng, query)?;
+        self.rng = rng;
+        Ok(())
+    }
+
+    fn choose(
+        &mut self,
+        problem: &Problem<'_>,
+        rng: &mut Generator,
+        query: &mut Query,
+    ) -> Result<bool, Error> {
+        if self.unasked.is_some() {
+            let (strategy, lhs) = self.strategy(problem);
+            return strategy.disagree_in_unasked(lhs, rng, query);
+        }
+        if uniform(rng) >= self.config.exploring {
+            let (strategy, lhs) = self.strategy(problem);
+            if strategy.committee_query(lhs, rng, query)? {
+                return Ok(true);
+            }
+            if !self.selection.current {
+                // Nothing is left to ask: is there a better hypothesis to be doubted?
+                self.reselect(problem.domain());
+                let (strategy, lhs) = self.strategy(problem);
+                if strategy.committee_query(lhs, rng, query)? {
+                    return Ok(true);
+                }
+            }
+        }
+        let (strategy, lhs) = self.strategy(problem);
+        strategy.explore(lhs, rng, query)
+    }
+
+    #[inline(never)]
+    fn unasked_instance(&mut self, problem: &Problem<'_>) -> Option<usize> {
+        let mut rng = self.rng.clone();
+        let instance = self.strategy(problem).0.unasked(&mut rng).next();
+        self.rng = rng;
+        instance
+    }
+
+    /// What is known when a query is chosen, and room for the left sides at a sample.
+    fn strategy<'s>(&'s mut self, problem: &'s Problem<'s>) -> (Strategy<'s, 'm, R>, &'s mut [R]) {
+        let strategy = Strategy {
+            problem,
+            forms: &self.forms,
+            committee: &self.committee,
+            observations: self.observations.as_slice(),
+        };
+        (strategy, self.lhs)
+    }
+
+    pub(super) fn calls_left(&self) -> u32 {
+        let told = u32::try_from(self.observations.len()).unwrap_or(u32::MAX);
+        let left = self.config.calls.saturating_sub(told);
+        self.unasked.map_or(left, |unasked| unasked.min(left))
+    }
+}

@@ -1,0 +1,132 @@
+//! Regions of all instances: constraints that speak of objects and points.
+
+use crate::domain::{Domain, PointSet};
+use crate::error::Error;
+use crate::grammar::Formula;
+use crate::table::Blank;
+use core::fmt;
+
+/// The parameters with which an action is expected to work, as readable
+/// constraints over a domain (thesis Eq. 4.13).
+///
+/// ```
+/// use critreg::{domain::Domain, random::generator, region::Region};
+/// let domain = Domain::parse(
+///     "object stick { x: length, y: length, theta: angle }
+///      constant stick.width = 3.0: length
+///      parameter mu in [0, 1]
+///      point grasp = stick + (mu * stick.width, 0)",
+/// )?;
+/// let region = Region::parse(&domain, "grasp.y <= 2.9")?;
+/// let instance = [2.0, 1.4, core::f64::consts::FRAC_PI_2];
+/// let grounded = region.ground::<f64>(&domain, &instance)?;
+/// let set = grounded.intervals()?;
+/// assert!((set.length() - 0.5).abs() < 1e-12);
+/// let [mu, ..] = grounded.sample(&mut generator(7))?;
+/// assert!(mu <= 0.5);
+/// # Ok::<(), critreg::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    pub(super) formula: Formula,
+    pub(super) points: PointSet,
+    /// A bit for each parameter that the formula depends on.
+    pub(super) relevant: u32,
+    pub(super) fingerprint: u32,
+}
+
+impl Blank for Region {
+    /// A place for a region: it admits everything, and belongs to a domain without text.
+    const BLANK: Self = Region {
+        formula: Formula::everything(),
+        points: PointSet::EMPTY,
+        relevant: 0,
+        fingerprint: 0,
+    };
+}
+
+impl Default for Region {
+    fn default() -> Self {
+        Region::BLANK
+    }
+}
+
+impl Region {
+    /// The region of the samples for which `formula` holds.
+    pub fn new(domain: &Domain<'_>, formula: Formula) -> Region {
+        let points = PointSet::of(domain, formula.nodes());
+        Region {
+            points,
+            relevant: points.parameters(domain, formula.nodes()),
+            fingerprint: domain.fingerprint(),
+            formula,
+        }
+    }
+
+    /// Makes it a region of this domain that admits everything.
+    pub(crate) fn clear(&mut self, domain: &Domain<'_>) {
+        self.formula.clear();
+        self.settle(domain);
+    }
+
+    /// Replaces its formula where it lies by what `write` makes of one that holds for
+    /// every sample.
+    pub(crate) fn rewrite(&mut self, domain: &Domain<'_>, write: impl FnOnce(&mut Formula)) {
+        self.formula.clear();
+        write(&mut self.formula);
+        self.settle(domain);
+    }
+
+    /// Makes it the same as another, where it lies.
+    pub fn copy_from(&mut self, other: &Region) {
+        self.formula.copy_from(&other.formula);
+        self.points = other.points;
+        self.relevant = other.relevant;
+        self.fingerprint = other.fingerprint;
+    }
+
+    /// Finds out what its formula speaks about.
+    fn settle(&mut self, domain: &Domain<'_>) {
+        self.points = PointSet::of(domain, self.formula.nodes());
+        self.relevant = self.points.parameters(domain, self.formula.nodes());
+        self.fingerprint = domain.fingerprint();
+    }
+
+    /// Reads a region from its text; for the grammar see [`Formula`].
+    ///
+    /// # Errors
+    /// [`Error::Syntax`], [`Error::CapacityExceeded`].
+    pub fn parse(domain: &Domain<'_>, text: &str) -> Result<Region, Error> {
+        Ok(Region::new(domain, Formula::parse(domain, text)?))
+    }
+
+    /// Writes its text; reading that gives the same region.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, domain: &Domain<'_>, out: &mut dyn fmt::Write) -> fmt::Result {
+        self.formula.write(domain, out)
+    }
+
+    /// Its text, to be printed.
+    pub fn display<'d>(&'d self, domain: &'d Domain<'d>) -> impl fmt::Display + 'd {
+        struct Text<'d>(&'d Region, &'d Domain<'d>);
+        impl fmt::Display for Text<'_> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.0.write(self.1, f)
+            }
+        }
+        Text(self, domain)
+    }
+
+    /// Its constraints and connectives.
+    pub fn formula(&self) -> &Formula {
+        &self.formula
+    }
+
+    /// Whether a number of an instance, by its place, counts for the region. If not, it
+    /// may be anything.
+    pub fn reads(&self, domain: &Domain<'_>, slot: u8) -> bool {
+        self.points.reads(domain, self.formula.nodes(), slot)
+    }
+}

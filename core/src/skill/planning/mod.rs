@@ -1,0 +1,12 @@
+//! Planning with skills.
+
+mod explain;
+mod guide;
+mod joint_region;
+mod knowledge;
+mod original;
+mod sampler;
+
+pub use guide::RegionGuide;
+pub(super) use original::{completed, proposal};
+pub use sampler::RegionSampler;

@@ -1,0 +1,37 @@
+//! Draws of the original sampler: the environment's own one, which knows of no regions.
+
+use crate::domain::MAX_PARAMETERS;
+use crate::region::Theta;
+use crate::task::{Environment, GroundOperator, Parameters, State};
+use rand_core::Rng;
+
+/// These first parameters, and behind them those of the original sampler.
+pub(in crate::skill) fn completed<E: Environment, R: Rng>(
+    environment: &E,
+    ground: &GroundOperator,
+    state: &State,
+    first: &[f64],
+    rng: &mut R,
+) -> Parameters {
+    let objects = ground.objects.as_slice();
+    let mut parameters = environment.sample(ground.operator, state, objects, rng);
+    for (value, given) in parameters.iter_mut().zip(first) {
+        *value = *given;
+    }
+    parameters
+}
+
+/// Parameters of the original sampler, as a sample of a learner.
+pub(in crate::skill) fn proposal<E: Environment, R: Rng>(
+    environment: &E,
+    ground: &GroundOperator,
+    state: &State,
+    rng: &mut R,
+) -> Theta {
+    let drawn = completed(environment, ground, state, &[], rng);
+    let mut theta = [0.0; MAX_PARAMETERS];
+    for (value, drawn) in theta.iter_mut().zip(&drawn) {
+        *value = *drawn;
+    }
+    theta
+}

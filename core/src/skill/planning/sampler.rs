@@ -1,0 +1,112 @@
+//! The region-guided sampler.
+
+use super::joint_region::JointRegion;
+use super::knowledge::{Knowledge, reason};
+use super::original::completed;
+use crate::error::Error;
+use crate::plan::{Draw, Drawn, Sampler, Simulated};
+use crate::random::uniform;
+use crate::skill::description::Describe;
+use crate::skill::skills::{Library, Skills};
+use crate::skill::tuning::{MARGIN, REGION_DRAWS};
+use crate::task::State;
+use rand_core::Rng;
+
+/// A region-guided sampler: it draws the parameters of a step from what was learned
+/// (thesis 5.2), in place of the original sampler of a bilevel planner.
+///
+/// It draws where the region of the step, in the state before it, and those of later
+/// steps meet: of all up to one with parameters that handles its objects again, which
+/// decides anew. Where nothing is known it is the original sampler.
+///
+/// The reason that it gives is the place of the ground operator that cannot work;
+/// [`RegionGuide::explain`](super::RegionGuide::explain) has the text.
+#[derive(Debug)]
+pub struct RegionSampler<'a, E> {
+    knowledge: Knowledge<'a, E>,
+    /// The share of an interval that is left out at both ends in the first try of a
+    /// step, in `[0, 0.5]`: an action may fail close to the boundary.
+    pub margin: f64,
+    /// Tries of a step that are drawn from regions. If none of them works, it is not the
+    /// parameters that are wrong.
+    pub tries: u32,
+    /// The share of draws that are from everything, in `[0, 1]`, so that no parameters
+    /// are out of reach. Without any they are until patience ends: see
+    /// [`Config::patience`](crate::plan::Config::patience).
+    pub everywhere: f64,
+}
+
+impl<'a, E: Describe> RegionSampler<'a, E> {
+    /// The sampler that draws from what is known of an environment.
+    pub fn new(environment: &'a E, skills: &'a Skills<'_>) -> Self {
+        RegionSampler::from_library(environment, skills.library())
+    }
+
+    pub(in crate::skill) fn from_library(environment: &'a E, library: Library<'a>) -> Self {
+        RegionSampler {
+            knowledge: Knowledge {
+                environment,
+                library,
+            },
+            margin: MARGIN,
+            tries: REGION_DRAWS,
+            everywhere: 0.0,
+        }
+    }
+
+    /// Draws where the regions meet; `None` if nothing is known.
+    fn draw<R: Rng>(
+        &self,
+        joint: &JointRegion<'_>,
+        draw: &Draw<'_, State>,
+        rng: &mut R,
+    ) -> Result<Option<Drawn>, Error> {
+        if joint.regions().is_empty() {
+            return Ok(None);
+        }
+        let own = self.knowledge.controller(draw.operator);
+        let sampled = own.is_some_and(|own| !own.controller.parameters.is_empty());
+        if sampled && joint.parameters() == 0 {
+            // What is known is about the state, and leaves the parameters free.
+            let empty = joint.is_proven_empty()?;
+            return empty.then(|| blame(joint, draw)).transpose();
+        }
+        if draw.attempt > self.tries {
+            return Ok(Some(Drawn::Empty(reason(draw.skeleton, draw.step))));
+        }
+        let margin = if draw.attempt > 1 { 0.0 } else { self.margin };
+        match joint.sample(margin, rng) {
+            Ok(theta) => {
+                let theta = theta.get(..joint.parameters()).unwrap_or_default();
+                let (ground, state) = (draw.operator, draw.state);
+                let parameters = completed(self.knowledge.environment, ground, state, theta, rng);
+                Ok(Some(Drawn::Informed(parameters)))
+            }
+            // That nothing was found is no proof, but this is advice, and ends.
+            Err(Error::EmptyRegion | Error::NoSample) => blame(joint, draw).map(Some),
+            Err(error) => Err(error),
+        }
+    }
+}
+
+/// Blames the first step with which the regions have nothing in common.
+fn blame(joint: &JointRegion<'_>, draw: &Draw<'_, State>) -> Result<Drawn, Error> {
+    let step = draw.step + joint.blocking_step()?;
+    Ok(Drawn::Empty(reason(draw.skeleton, step)))
+}
+
+impl<E: Describe> Sampler<Simulated<'_, E>> for RegionSampler<'_, E> {
+    fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
+        let everywhere = self.everywhere > 0.0 && uniform(rng) < self.everywhere;
+        if draw.advised && !everywhere {
+            let steps = draw.skeleton.from(draw.step);
+            let joint = self.knowledge.joint_region(steps, draw.state, |_, _| true);
+            if let Some(drawn) = self.draw(&joint, draw, rng)? {
+                return Ok(drawn);
+            }
+        }
+        let environment = self.knowledge.environment;
+        let drawn = completed(environment, draw.operator, draw.state, &[], rng);
+        Ok(Drawn::Parameters(drawn))
+    }
+}

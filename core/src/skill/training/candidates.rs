@@ -1,0 +1,174 @@
+//! Situations that could be made of training tasks.
+
+use super::memory::TrainingMemory;
+use crate::error::Error;
+use crate::random::generator;
+use crate::region::Theta;
+use crate::skill::context::Context;
+use crate::skill::description::Describe;
+use crate::skill::planning::proposal;
+use crate::skill::skills::Skill;
+use crate::table::swap_rows;
+use crate::task::{
+    Arguments, Atoms, ControllerId, GroundOperator, ObjectId, State, Task, ground_operators,
+};
+
+/// Objects of a task for the controllers of a skill: a situation that could be made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Candidate {
+    /// The task, by its place.
+    pub(super) task: u16,
+    /// The objects of the controller.
+    pub(super) objects: Arguments,
+    /// Those of the later one.
+    pub(super) later_objects: Arguments,
+}
+
+impl Candidate {
+    /// Whether an object is one of those it is about.
+    pub(super) fn has(&self, object: ObjectId) -> bool {
+        let all = [&self.objects, &self.later_objects];
+        all.iter().any(|own| own.as_slice().contains(&object))
+    }
+}
+
+/// Lists the candidates of a skill in the order of the tasks, so many at most and as many as
+/// there is room for, with the numbers of their instances and parameters of the original
+/// sampler; `direct` leaves out those whose operator is not applicable in the initial
+/// state. Returns how many there are.
+///
+/// # Errors
+/// [`Error::CapacityExceeded`] if the atoms or ground operators of a task find no room.
+pub(super) fn list<E: Describe>(
+    environment: &E,
+    skill: &Skill,
+    tasks: &[Task],
+    (most, direct): (usize, bool),
+    memory: &mut TrainingMemory<'_>,
+) -> Result<usize, Error> {
+    let operators = &mut *memory.operators;
+    let most = most.min(memory.candidates.len());
+    let mut list = List {
+        skill,
+        candidates: memory.candidates.get_mut(..most).unwrap_or_default(),
+        proposals: memory.proposals,
+        instances: memory.instances,
+        count: 0,
+    };
+    let about = skill.description();
+    for (index, task) in (0..).zip(tasks) {
+        let atoms = Atoms::new::<E>(&task.initial)?;
+        operators.clear();
+        ground_operators(E::OPERATORS, &task.initial, &atoms, operators)?;
+        let initial = atoms.abstract_state(environment, &task.initial);
+        let own = of_controller(environment, operators, about.controller);
+        for (own, objects) in own.filter(|(own, _)| !direct || own.is_applicable(initial)) {
+            let later = about
+                .later
+                .map(|id| of_controller(environment, operators, id));
+            let none = later.is_none().then(Arguments::default);
+            let later = later.into_iter().flatten().map(|(_, objects)| objects);
+            for later_objects in none.into_iter().chain(later) {
+                let candidate = Candidate {
+                    task: index,
+                    objects,
+                    later_objects,
+                };
+                if !list.add(environment, &task.initial, own, candidate) {
+                    return Ok(list.count);
+                }
+            }
+        }
+    }
+    Ok(list.count)
+}
+
+/// A list that grows.
+struct List<'m> {
+    skill: &'m Skill,
+    candidates: &'m mut [Candidate],
+    proposals: &'m mut [Theta],
+    instances: &'m mut [f64],
+    count: usize,
+}
+
+impl List<'_> {
+    /// Adds a candidate, unless it is there or somebody is missing for a role. Tells
+    /// whether there was room.
+    fn add<E: Describe>(
+        &mut self,
+        environment: &E,
+        state: &State,
+        own: &GroundOperator,
+        candidate: Candidate,
+    ) -> bool {
+        let (count, length) = (self.count, self.skill.binding().len());
+        let known = self.candidates.get(..count).unwrap_or_default();
+        if known.contains(&candidate) {
+            return true;
+        }
+        let numbers = self.instances.get_mut(count * length..(count + 1) * length);
+        let (Some(numbers), Some(place), Some(theta)) = (
+            numbers,
+            self.candidates.get_mut(count),
+            self.proposals.get_mut(count),
+        ) else {
+            return false;
+        };
+        let context = Context {
+            environment,
+            state,
+            objects: candidate.objects.as_slice(),
+            later_objects: candidate.later_objects.as_slice(),
+            members: self.skill.description().members,
+        };
+        if self.skill.binding().instance(&context, numbers).is_ok() {
+            *theta = proposal(environment, own, state, &mut generator(count as u64));
+            *place = candidate;
+            self.count += 1;
+        }
+        true
+    }
+}
+
+/// The ground operators of a controller, with its objects.
+pub(super) fn of_controller<'o, E: Describe>(
+    environment: &E,
+    operators: &'o [GroundOperator],
+    controller: ControllerId,
+) -> impl Iterator<Item = (&'o GroundOperator, Arguments)> {
+    operators.iter().filter_map(move |ground| {
+        let operator = environment.operator(ground).ok()?;
+        let own = operator.controller == controller;
+        let objects = operator.controller_objects(ground.objects.as_slice());
+        own.then_some((ground, objects.ok()?))
+    })
+}
+
+/// Moves the candidates of the first `most` tasks to the front, in their order. Returns
+/// how many there are.
+pub(super) fn take_tasks(candidates: &mut [Candidate], most: usize) -> usize {
+    let mut kept = 0;
+    for index in 0..candidates.len() {
+        let Some((before, [own, ..])) = candidates.split_at_mut_checked(index) else {
+            break;
+        };
+        let before = before.get(..kept).unwrap_or_default();
+        let known = before.iter().any(|other| other.task == own.task);
+        if known || distinct_tasks(before) < most {
+            swap_rows(candidates, 1, kept, index);
+            kept += 1;
+        }
+    }
+    kept
+}
+
+/// From how many tasks candidates are.
+pub(super) fn distinct_tasks(candidates: &[Candidate]) -> usize {
+    let all = candidates.iter().enumerate();
+    let first = all.filter(|(index, own)| {
+        let mut before = candidates.iter().take(*index);
+        !before.any(|other| other.task == own.task)
+    });
+    first.count()
+}

@@ -1,0 +1,17 @@
+//! Learning skills from training tasks.
+
+mod candidates;
+mod config;
+mod memory;
+mod oracle;
+mod realise;
+mod selection;
+mod situation;
+mod trainer;
+
+pub use candidates::Candidate;
+pub use config::{Learned, Training};
+pub use memory::TrainingMemory;
+pub use oracle::Oracle;
+pub use situation::{MAX_CHAIN, Situation};
+pub use trainer::Trainer;

@@ -1,0 +1,183 @@
+//! The oracle that the learner of a skill asks.
+
+use super::situation::{MAX_CHAIN, Situation};
+use crate::error::Error;
+use crate::learn::Outcome;
+use crate::plan::{Draw, Drawn, Sampler, Skeleton};
+use crate::random::Generator;
+use crate::skill::changes::Changes;
+use crate::skill::description::Describe;
+use crate::skill::planning::{RegionSampler, completed};
+use crate::skill::skills::{Library, Skills};
+use crate::skill::tuning::TRIES;
+use crate::task::{GroundOperator, State, try_operator};
+
+/// Answers whether parameters are feasible in a situation, by running controllers (the
+/// simulator of thesis 4.3). What they change is noted.
+#[derive(Debug)]
+pub struct Oracle<'a, E> {
+    environment: &'a E,
+    library: Library<'a>,
+    changes: &'a mut [Changes],
+    runs: u32,
+}
+
+/// What came of operators.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tried {
+    /// They work.
+    Works,
+    /// They do not, with the parameters that were drawn.
+    Fails,
+    /// They do not with any: so one need not run.
+    Impossible,
+}
+
+impl<'a, E: Describe> Oracle<'a, E> {
+    /// An oracle that draws parameters that are free from what is known so far.
+    pub fn new(environment: &'a E, skills: &'a mut Skills<'_>) -> Self {
+        Oracle::from_parts(environment, skills.parts_mut())
+    }
+
+    pub(super) fn from_parts(
+        environment: &'a E,
+        (library, changes): (Library<'a>, &'a mut [Changes]),
+    ) -> Self {
+        Oracle {
+            environment,
+            library,
+            changes,
+            runs: 0,
+        }
+    }
+
+    /// How many controllers were run.
+    pub fn runs(&self) -> u32 {
+        self.runs
+    }
+
+    /// Tries parameters of the first operator of a situation; those of the operators after
+    /// it are drawn from what is known, and so are its own if there are none.
+    ///
+    /// Of a failure it tells that the first step failed, or the second one if any operator
+    /// after it did.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if an operator is not of this environment, and those of
+    /// [`RegionSampler`].
+    pub fn answer(
+        &mut self,
+        situation: &Situation,
+        theta: Option<&[f64]>,
+        rng: &mut Generator,
+    ) -> Result<Outcome, Error> {
+        let (mut outcome, mut first) = (Outcome::FailedStep(1), Tried::Fails);
+        let mut after = situation.state.clone();
+        for attempt in 1..=TRIES {
+            // Given parameters need no second run.
+            if theta.is_none() || attempt == 1 {
+                after.clone_from(&situation.state);
+                first = self.step(situation, (0, &mut after), theta, attempt, rng)?;
+            }
+            if first != Tried::Works {
+                continue;
+            }
+            outcome = Outcome::FailedStep(2);
+            match self.rest(situation, after.clone(), attempt, rng)? {
+                Tried::Works => return Ok(Outcome::Feasible),
+                Tried::Impossible if theta.is_some() => break,
+                Tried::Fails | Tried::Impossible => {}
+            }
+        }
+        Ok(outcome)
+    }
+
+    /// Tries the operators after the first.
+    fn rest(
+        &mut self,
+        situation: &Situation,
+        mut state: State,
+        attempt: u32,
+        rng: &mut Generator,
+    ) -> Result<Tried, Error> {
+        let mut drawn = false;
+        for (step, ground) in situation.steps.iter().enumerate().skip(1) {
+            let tried = self.step(situation, (step, &mut state), None, attempt, rng)?;
+            drawn |= tried != Tried::Impossible && is_sampled(self.environment, ground)?;
+            if tried != Tried::Works {
+                return Ok(if drawn {
+                    Tried::Fails
+                } else {
+                    Tried::Impossible
+                });
+            }
+        }
+        Ok(Tried::Works)
+    }
+
+    /// Runs an operator of a situation and notes what it changes. If it works the state
+    /// becomes the one afterwards.
+    fn step(
+        &mut self,
+        situation: &Situation,
+        (step, state): (usize, &mut State),
+        theta: Option<&[f64]>,
+        attempt: u32,
+        rng: &mut Generator,
+    ) -> Result<Tried, Error> {
+        let (environment, Some(ground)) = (self.environment, situation.steps.get(step)) else {
+            return Ok(Tried::Impossible);
+        };
+        let parameters = match theta {
+            Some(theta) => completed(environment, ground, state, theta, rng),
+            None => match self.draw(situation, (step, state), attempt, rng)? {
+                Drawn::Parameters(drawn) | Drawn::Informed(drawn) => drawn,
+                Drawn::Empty(_) => return Ok(Tried::Impossible),
+            },
+        };
+        let (operator, objects) = (environment.operator(ground)?, ground.objects.as_slice());
+        let tried = try_operator(environment, operator, objects, &parameters, state);
+        self.runs += 1;
+        if !tried.is_feasible() {
+            return Ok(Tried::Fails);
+        }
+        let arguments = operator.controller_objects(objects)?;
+        if let Some(changes) = self.changes.get_mut(usize::from(operator.controller.0)) {
+            changes.observe(arguments.as_slice(), state, &tried.state);
+        }
+        *state = tried.state;
+        Ok(Tried::Works)
+    }
+
+    /// Draws parameters of a step, with those of the steps after it in view.
+    fn draw(
+        &self,
+        situation: &Situation,
+        (step, state): (usize, &State),
+        attempt: u32,
+        rng: &mut Generator,
+    ) -> Result<Drawn, Error> {
+        let places: [u16; MAX_CHAIN] = core::array::from_fn(|place| place as u16);
+        let places = places.get(..situation.steps.len()).unwrap_or_default();
+        let skeleton = Skeleton::new(&situation.steps, places);
+        let Some(operator) = skeleton.get(step) else {
+            return Err(Error::InvalidArgument("a situation has no such step"));
+        };
+        let draw = Draw {
+            skeleton,
+            step,
+            operator,
+            state,
+            attempt,
+            advised: true,
+        };
+        RegionSampler::from_library(self.environment, self.library).sample(&draw, rng)
+    }
+}
+
+/// Whether the controller of an operator has parameters.
+fn is_sampled<E: Describe>(environment: &E, ground: &GroundOperator) -> Result<bool, Error> {
+    let operator = environment.operator(ground)?;
+    let controller = environment.controller(operator.controller)?;
+    Ok(!controller.parameters.is_empty())
+}

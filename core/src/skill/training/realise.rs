@@ -1,0 +1,189 @@
+//! Making situations of candidates: the way to a state in which an operator is
+//! applicable, and what a later operator needs in between.
+
+use super::candidates::{Candidate, of_controller};
+use super::situation::{MAX_CHAIN, Situation, controller_objects};
+use crate::error::Error;
+use crate::plan::{AbstractTask, Conclusion, Config, Memory, Planner, Simulated};
+use crate::random::generator;
+use crate::skill::changes::Changes;
+use crate::skill::description::{Describe, Description};
+use crate::skill::planning::{RegionGuide, RegionSampler};
+use crate::skill::skills::Library;
+use crate::task::{
+    Arguments, AtomSet, Atoms, ControllerId, GroundOperator, State, Task, ground_operators,
+};
+use heapless::{Vec, VecView};
+
+/// The operators to try, one after the other.
+type Chain = Vec<GroundOperator, MAX_CHAIN>;
+
+/// A task with those operators that handle no objects but a candidate's: what happens to
+/// others on the way would be a reason of its own why something fails.
+pub(super) struct RestrictedTask<'t, 'o, E> {
+    environment: &'t E,
+    /// What is known so far.
+    known: (Library<'t>, &'t [Changes]),
+    initial: &'t State,
+    atoms: Atoms,
+    operators: &'o [GroundOperator],
+    candidate: Candidate,
+}
+
+impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
+    /// A task as a candidate sees it. The ground operators are put into `operators`.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if the atoms or ground operators find no room.
+    pub(super) fn new(
+        environment: &'t E,
+        known: (Library<'t>, &'t [Changes]),
+        task: &'t Task,
+        candidate: Candidate,
+        operators: &'o mut VecView<GroundOperator>,
+    ) -> Result<Self, Error> {
+        let atoms = Atoms::new::<E>(&task.initial)?;
+        operators.clear();
+        ground_operators(E::OPERATORS, &task.initial, &atoms, operators)?;
+        operators.retain(|ground| {
+            let own = controller_objects(environment, ground);
+            own.is_ok_and(|own| own.as_slice().iter().all(|object| candidate.has(*object)))
+        });
+        Ok(RestrictedTask {
+            environment,
+            known,
+            initial: &task.initial,
+            atoms,
+            operators,
+            candidate,
+        })
+    }
+
+    /// The situation of the candidate, if there is a way to it, and how many controllers
+    /// were run to find it. The parameters on the way are those of a seed.
+    ///
+    /// # Errors
+    /// Those of [`Planner::plan`].
+    pub(super) fn realise(
+        &self,
+        about: &Description,
+        seed: u64,
+        planner: Memory<'_, State>,
+    ) -> Result<(Option<Situation>, u32), Error> {
+        let own = || self.of(about.controller, self.candidate.objects);
+        let (state, runs) = self.reach(own, seed, planner)?;
+        let Some(state) = state else {
+            return Ok((None, runs));
+        };
+        let before = self.atoms.abstract_state(self.environment, &state);
+        let applicable = own().filter(|own| own.is_applicable(before));
+        let chains = applicable.filter_map(|own| match about.later {
+            Some(later) => self.chain(before, own, later),
+            None => chain_of([own]),
+        });
+        let steps = chains.min_by_key(|steps| steps.len());
+        let situation = steps.map(|steps| Situation {
+            state,
+            steps,
+            outcome: None,
+        });
+        Ok((situation, runs))
+    }
+
+    /// The ground operators of a controller with these objects.
+    fn of(
+        &self,
+        controller: ControllerId,
+        objects: Arguments,
+    ) -> impl Iterator<Item = &'o GroundOperator> {
+        let all = of_controller(self.environment, self.operators, controller);
+        let same = all.filter(move |(_, own)| *own == objects);
+        same.map(|(ground, _)| ground)
+    }
+
+    /// A state in which one of these operators is applicable, and how many controllers
+    /// were run to find it.
+    fn reach<I: Iterator<Item = &'o GroundOperator>>(
+        &self,
+        own: impl Fn() -> I,
+        seed: u64,
+        mut memory: Memory<'_, State>,
+    ) -> Result<(Option<State>, u32), Error> {
+        let initial = self.atoms.abstract_state(self.environment, self.initial);
+        if own().any(|ground| ground.is_applicable(initial)) {
+            return Ok((Some(self.initial.clone()), 0));
+        }
+        let mut runs = 0;
+        for ground in own() {
+            let mut planner = Planner {
+                world: &mut Simulated {
+                    environment: self.environment,
+                    atoms: &self.atoms,
+                },
+                sampler: &mut RegionSampler::from_library(self.environment, self.known.0),
+                guide: &mut RegionGuide::from_parts(self.environment, self.known, self.initial),
+                config: Config::default(),
+            };
+            let task = AbstractTask {
+                operators: self.operators,
+                initial,
+                goal: ground.preconditions,
+            };
+            let numbers = || generator(seed ^ u64::from(runs));
+            let memory = memory.reborrow();
+            let planned = planner.plan(task, self.initial, numbers(), numbers, memory)?;
+            runs += planned.metrics.samples;
+            if planned.conclusion == Conclusion::Solved {
+                return Ok((planned.steps.last().map(|step| step.state.clone()), runs));
+            }
+        }
+        Ok((None, runs))
+    }
+
+    /// The shortest sequence from an operator to one of a later controller, with what it
+    /// needs in between. What comes in between leaves the operator's objects alone, so
+    /// that its parameters still matter in the end.
+    fn chain(&self, before: AtomSet, own: &GroundOperator, later: ControllerId) -> Option<Chain> {
+        let last = |state: AtomSet| {
+            let mut all = self.of(later, self.candidate.later_objects);
+            all.find(|last| last.is_applicable(state))
+        };
+        let between = |state: AtomSet| {
+            let is_apart = move |ground: &&GroundOperator| {
+                ground.is_applicable(state) && !self.share_objects(ground, own)
+            };
+            self.operators.iter().filter(is_apart)
+        };
+        let start = own.apply(before);
+        if let Some(last) = last(start) {
+            return chain_of([own, last]);
+        }
+        let one = between(start).find_map(|first| {
+            let last = last(first.apply(start))?;
+            chain_of([own, first, last])
+        });
+        one.or_else(|| {
+            between(start).find_map(|first| {
+                let state = first.apply(start);
+                between(state).find_map(|second| {
+                    let last = last(second.apply(state))?;
+                    chain_of([own, first, second, last])
+                })
+            })
+        })
+    }
+
+    /// Whether the controllers of two operators have an object in common.
+    fn share_objects(&self, first: &GroundOperator, second: &GroundOperator) -> bool {
+        let objects = |ground| controller_objects(self.environment, ground);
+        let (Ok(first), Ok(second)) = (objects(first), objects(second)) else {
+            return true;
+        };
+        let mut all = first.as_slice().iter();
+        all.any(|object| second.as_slice().contains(object))
+    }
+}
+
+fn chain_of<const N: usize>(steps: [&GroundOperator; N]) -> Option<Chain> {
+    Vec::from_slice(&steps.map(|step| *step)).ok()
+}

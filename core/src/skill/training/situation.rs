@@ -1,0 +1,73 @@
+//! Where a skill is tried.
+
+use crate::error::Error;
+use crate::learn::Outcome;
+use crate::region::Theta;
+use crate::skill::context::Context;
+use crate::skill::description::Describe;
+use crate::skill::planning::proposal;
+use crate::skill::skills::Skill;
+use crate::task::{Arguments, GroundOperator, State};
+use heapless::Vec;
+use rand_core::Rng;
+
+/// Most operators that are tried in a row: two, and what they need in between.
+pub const MAX_CHAIN: usize = 4;
+
+/// A state, and the operators to try from it, one after the other: a problem instance p
+/// of a skill (thesis 4.3) that can be run.
+#[derive(Clone, Debug)]
+pub struct Situation {
+    /// The state.
+    pub state: State,
+    /// The operator, and then those up to the later one, if there is one.
+    pub steps: Vec<GroundOperator, MAX_CHAIN>,
+    /// What came of trying it, where that is tried once.
+    pub(super) outcome: Option<Outcome>,
+}
+
+impl Situation {
+    /// Writes the instance that it is of a skill to `out`, which has a place for each
+    /// number.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if it is not a situation of this skill and environment.
+    pub fn instance<E: Describe>(
+        &self,
+        environment: &E,
+        skill: &Skill,
+        out: &mut [f64],
+    ) -> Result<(), Error> {
+        let objects = |ground: Option<&GroundOperator>| match ground {
+            Some(ground) => controller_objects(environment, ground),
+            None => Ok(Arguments::default()),
+        };
+        let own = objects(self.steps.first())?;
+        let later = objects(self.steps.get(1..).and_then(<[_]>::last))?;
+        let context = Context {
+            environment,
+            state: &self.state,
+            objects: own.as_slice(),
+            later_objects: later.as_slice(),
+            members: skill.description().members,
+        };
+        skill.binding().instance(&context, out)
+    }
+
+    /// Parameters that the original sampler draws for the first operator.
+    pub fn proposal<E: Describe>(&self, environment: &E, rng: &mut impl Rng) -> Theta {
+        let own = self.steps.first();
+        own.map_or(Theta::default(), |own| {
+            proposal(environment, own, &self.state, rng)
+        })
+    }
+}
+
+/// The objects of the controller of an operator.
+pub(super) fn controller_objects<E: Describe>(
+    environment: &E,
+    ground: &GroundOperator,
+) -> Result<Arguments, Error> {
+    let operator = environment.operator(ground)?;
+    operator.controller_objects(ground.objects.as_slice())
+}
