@@ -1,17 +1,17 @@
 //! Planning with the core: a skill is learned, and planned with.
 
 use critreg::Error;
-use critreg::task::{Atoms, GroundOperator, State, Task, ground_operators};
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
 use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
 use critreg::env::stick_button::StickButton;
+use critreg::plan::{AbstractTask, Conclusion, Config, Memory, Planner, ReasonId, Simulated};
+use critreg::random::generator;
 use critreg::skill::{
     Changes, Describe, RegionGuide, RegionSampler, Skill, Skills, Trainer, Training, TrainingMemory,
 };
-use critreg::plan::{AbstractTask, Conclusion, Config, Memory, Planner, ReasonId, Simulated};
-use critreg::random::generator;
+use critreg::task::{Atoms, GroundOperator, State, Task, ground_operators};
 use critreg::text::TextBuffer;
 
 /// What the caller lends and asks for. Nothing of it is known when compiling.
