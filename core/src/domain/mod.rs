@@ -29,6 +29,7 @@
 //!           | "angle" "(" path "," path "," path ")"         (* at the second point *)
 //!           | "area" "(" name ")" ;
 //! path      = name { "." name } ;
+//! name      = ( letter | "_" ) { letter | digit | "_" } ;
 //! ```
 //!
 //! An object whose type has the attributes `x` and `y` (and `z`, `theta` or

@@ -67,7 +67,8 @@ pub enum Drawn {
     Parameters(Parameters),
     /// Try these, from where they are expected to work. This is advice.
     Informed(Parameters),
-    /// No parameters work in this state: step back at once. This is advice, too.
+    /// No parameters are expected to work in this state: step back at once. This is
+    /// advice, too.
     Empty(ReasonId),
 }
 

@@ -207,9 +207,6 @@ pub unsafe extern "C" fn critreg_planner_config_init(
     config: *mut critreg_planner_config,
     size: usize,
 ) -> critreg_status {
-    let mut value = defaults();
-    value.struct_size = u32::try_from(size).unwrap_or(0);
-    let first = critreg_planner_config::FIRST;
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(config, size, first, value) })
+    status_of(unsafe { structs::init(config, size, defaults()) })
 }

@@ -212,16 +212,17 @@ impl ExpressionParser<'_, '_, '_> {
     /// Two points or three, of which it is one quantity or the other.
     fn of_points(
         &self,
-        two: Quantity,
+        two: Option<Quantity>,
         three: Option<Quantity>,
         lexer: &mut Lexer<'_>,
     ) -> Result<Node, Failed> {
         let a = self.point(lexer)?;
         lexer.expect(",", "expected `,` and a second point")?;
         let b = self.point(lexer)?;
-        let (example, c) = match three {
-            Some(three) if lexer.accept(",") => (three, self.point(lexer)?),
-            _ => (two, b),
+        let (example, c) = match (two, three) {
+            (_, Some(three)) if lexer.accept(",") => (three, self.point(lexer)?),
+            (Some(two), _) => (two, b),
+            (None, _) => return Err(lexer.fail("expected `,` and a third point")),
         };
         Ok(Node::Quantity(example.with_points([a, b, c])))
     }

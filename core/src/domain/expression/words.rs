@@ -6,9 +6,9 @@ use crate::domain::{Coordinate, Extreme, Metric, Quantity};
 /// What stands before brackets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Function {
-    /// A quantity of two points, and another one of three. The points in the list of
+    /// A quantity of two points, of three, or one of each. The points in the list of
     /// functions are 0, 1 and 2.
-    OfPoints(Quantity, Option<Quantity>),
+    OfPoints(Option<Quantity>, Option<Quantity>),
     /// The area of an object's shape.
     Area,
     /// The extreme of a quantity over the members of a group.
@@ -30,11 +30,14 @@ macro_rules! functions {
 }
 
 functions! {
-    "dist": Function::OfPoints(Quantity::Distance(Metric::Straight, 0, 1), None),
-    "dist_x": Function::OfPoints(Quantity::Distance(Metric::X, 0, 1), None),
-    "dist_y": Function::OfPoints(Quantity::Distance(Metric::Y, 0, 1), None),
-    "dist_z": Function::OfPoints(Quantity::Distance(Metric::Z, 0, 1), None),
-    "angle": Function::OfPoints(Quantity::Angle(0, 1), Some(Quantity::VertexAngle(0, 1, 2))),
+    "dist": Function::OfPoints(Some(Quantity::Distance(Metric::Straight, 0, 1)), None),
+    "dist_x": Function::OfPoints(Some(Quantity::Distance(Metric::X, 0, 1)), None),
+    "dist_y": Function::OfPoints(Some(Quantity::Distance(Metric::Y, 0, 1)), None),
+    "dist_z": Function::OfPoints(Some(Quantity::Distance(Metric::Z, 0, 1)), None),
+    "angle": Function::OfPoints(
+        Some(Quantity::Angle(0, 1)),
+        Some(Quantity::VertexAngle(0, 1, 2)),
+    ),
     "area": Function::Area,
     "min": Function::Extreme(Extreme::Least),
     "max": Function::Extreme(Extreme::Greatest),
@@ -85,7 +88,7 @@ fn meaning<T: Copy>(words: &[(&str, T)], name: &str) -> Option<T> {
 pub(super) fn name_of_quantity(quantity: Quantity) -> Option<&'static str> {
     let example = quantity.with_points([0, 1, 2]);
     name(FUNCTIONS, |function| match *function {
-        Function::OfPoints(two, three) => two == example || three == Some(example),
+        Function::OfPoints(two, three) => [two, three].contains(&Some(example)),
         Function::Area | Function::Extreme(_) => false,
     })
 }
@@ -135,7 +138,7 @@ mod tests {
         for (name, function) in FUNCTIONS {
             match function {
                 Function::OfPoints(two, three) => {
-                    for quantity in [Some(*two), *three].into_iter().flatten() {
+                    for quantity in [*two, *three].into_iter().flatten() {
                         let points = quantity.points().into_iter().flatten();
                         let points: Vec<_> = points.map(|p| POINTS[usize::from(p)]).collect();
                         let text = format!("{name}({})", points.join(", "));
