@@ -1,7 +1,7 @@
 //! What a planner knows of an action (thesis 4.1.1), for learning: a [`Domain`] has
 //! types, objects with attributes, constants, the parameters of the action, and points.
 //! [`Node`]s are terms over it; a [`Scene`] puts an instance into them, a [`Sample`]
-//! parameters. What a planner does with its world is in [`mod@crate::task`].
+//! parameters.
 //!
 //! # The domain text
 //!
