@@ -20,9 +20,9 @@ static const char DOMAIN[] =
 // Pegs of 2, 3, 5 and 8 centimetres.
 static const std::vector<double> pegs = {0.02, 0.03, 0.05, 0.08};
 
-static critreg_outcome close_gripper(const double *instance, const double *theta) {
+static bool close_gripper(const double *instance, const double *theta) {
     const double width = instance[0], opening = theta[0];
-    return opening >= width + 0.01 ? CRITREG_FEASIBLE : CRITREG_INFEASIBLE;
+    return opening >= width + 0.01;
 }
 
 static critreg::Region learn_openings() {
@@ -62,7 +62,7 @@ static void try_region(const critreg::Region &region, double width) {
     for (int i = 0; i < 1000; i++) {
         if (auto opening = region.sample(peg, rng)) {
             drawn++;
-            feasible += close_gripper(peg.data(), opening->data()) == CRITREG_FEASIBLE;
+            feasible += close_gripper(peg.data(), opening->data());
         }
     }
     std::printf(" %d draws, %d of them feasible\n", drawn, feasible);
@@ -86,7 +86,7 @@ static critreg::World world(const critreg::Region *region) {
             state[1] = parameters[0];
             return 1;
         }
-        state[2] = close_gripper(&state[0], &state[1]) == CRITREG_FEASIBLE;
+        state[2] = close_gripper(&state[0], &state[1]);
         return 1;
     };
     world.holds = [](const critreg::Ground &ground, const std::vector<double> &state) {

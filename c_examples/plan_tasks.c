@@ -80,9 +80,9 @@ static critreg_status try_chain(void *user_data, const double *instance, const d
     double picked[NUMBERS_OF_ONE], pressed[NUMBERS_OF_ONE];
     (void)user_data;
     if (!works(&PICK, theta, instance, &GRASPED, picked))
-        *outcome = 1;
+        *outcome = CRITREG_FAILED_STEP(1);
     else if (!works(&PRESS_WITH_STICK, NULL, picked, &PRESSED, pressed))
-        *outcome = 2;
+        *outcome = CRITREG_FAILED_STEP(2);
     else
         *outcome = CRITREG_FEASIBLE;
     return CRITREG_OK;
@@ -93,8 +93,7 @@ static critreg_status try_hand(void *user_data, const double *instance, const do
 {
     double pressed[NUMBERS_OF_ONE];
     (void)user_data;
-    *outcome = works(&PRESS_BY_HAND, theta, instance, &PRESSED, pressed) ? CRITREG_FEASIBLE
-                                                                         : CRITREG_INFEASIBLE;
+    *outcome = works(&PRESS_BY_HAND, theta, instance, &PRESSED, pressed);
     return CRITREG_OK;
 }
 

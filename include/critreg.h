@@ -39,10 +39,10 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            136808 bytes           34720 bytes
- *           4096           256            553032 bytes           46496 bytes
- *          10000           256           1165996 bytes           55332 bytes
- *          20000           256           2148496 bytes           70336 bytes
+ *           1024           128            136872 bytes           34752 bytes
+ *           4096           256            553096 bytes           46528 bytes
+ *          10000           256           1166060 bytes           55368 bytes
+ *          20000           256           2148560 bytes           70368 bytes
  *
  * Every further instance takes hypotheses + 512 bytes more, every further step
  * 16 * hypotheses + 5632 at most. On a small machine critreg_config.precision and
@@ -104,6 +104,26 @@
  * The same inputs and seed give the same results on every machine.
  *
  *
+ * OUTCOMES
+ *
+ * What came of a trial is one of these numbers:
+ *
+ *     CRITREG_FEASIBLE          1    the action worked
+ *     CRITREG_INFEASIBLE        0    it failed
+ *     CRITREG_FAILED_STEP(k)   -k    step k of a sequence failed, those before it worked
+ *     CRITREG_UNKNOWN           2    there is no answer: a crash, a time-out
+ *
+ * So a bool is an outcome, and "*outcome = works;" is right. A sequence of actions
+ * (critreg_config.steps above 1) needs to know which step failed: there
+ * CRITREG_INFEASIBLE is refused. An unknown outcome teaches nothing: the sample is put
+ * aside and counted in the report.
+ *
+ * Every other number is refused with CRITREG_INVALID_ARGUMENT, and
+ * critreg_learner_message() tells which one it was. So is CRITREG_NO_OUTCOME, which
+ * the outcome holds before a callback is called: a callback that writes nothing is
+ * found out. The sample that was refused is asked for again.
+ *
+ *
  * LEARNERS
  *
  * CRITREG_VERSION_SPACE, the default, is sound. Its hypotheses are forms: a feature
@@ -123,9 +143,9 @@
  * they prove about it is in the report: the certificate.
  *
  * Sequences of actions: if the action is a chain, say in critreg_config.steps how
- * many steps it has, and answer with the number of the step that failed. Each step
+ * many steps it has, and answer with CRITREG_FAILED_STEP(k) if step k failed. Each step
  * is learned from the samples that reached it, and the region is what all of them
- * need.
+ * need. CRITREG_ALGORITHM1 makes no difference between steps.
  *
  * Wrong answers: if a share of the answers is wrong, say so in
  * critreg_config.noise. Every sample is then asked until one answer leads by enough
@@ -181,9 +201,10 @@
  *     extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over a group *)
  *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" )
  *                   "(" path "," path ")"
+ *               | "angle" "(" path "," path "," path ")"    (* at the second point *)
  *               | "area" "(" name ")" ;
  *     path      = name { "." name } ;
- *     name      = letter { letter | digit | "_" } ;
+ *     name      = ( letter | "_" ) { letter | digit | "_" } ;
  *
  * An object with the attributes x and y (and z, theta or yaw, pitch, roll) is a
  * point as well. An offset is along the axes of the frame, after the turn. The
@@ -204,7 +225,8 @@
  * objects, 8 groups, 255 numbers of an instance, 32 constants, 6 parameters, 64
  * points of which 6 depend on a parameter, 16 shapes. Every member of a group
  * counts as an object, with its own numbers and points. A region can refer to 32
- * points, with those they are placed in.
+ * points, with those they are placed in. A text without an attribute of an object and
+ * without a parameter is refused: there is nothing to learn then.
  *
  *
  * THE REGION TEXT
@@ -225,7 +247,8 @@
  * Whoever has a planner uses the regions: critreg_sample_region() for an action,
  * critreg_sample_regions() for an action that has to be good for later ones,
  * critreg_region_contains() without a sample for an action without parameters, and
- * CRITREG_EMPTY_REGION as the reason to drop a plan skeleton.
+ * CRITREG_EMPTY_REGION as the reason to postpone a plan skeleton: proven is that no
+ * parameters are in the region, and a learned region may be wrong.
  *
  * Whoever has none uses this one: search, then sample (Srivastava et al. 2014;
  * Chitnis et al. 2022). An operator is a PDDL action with objects and, beyond PDDL,
@@ -300,9 +323,9 @@
  * It prints "Drive 3.0" and "Light 0.0".
  *
  * Regions are brought in by two more callbacks: sample draws from them, and advise
- * tells the search that a sequence of operators cannot work before anything is
- * drawn for it. Both are advice: if there is no plan before patience ends, planning
- * begins anew without it. critreg_metrics tells what planning cost, which operator
+ * tells the search that a sequence of operators is not expected to work before
+ * anything is drawn for it. Both are advice: if there is no plan before patience ends,
+ * planning begins anew without it. critreg_metrics tells what planning cost, which operator
  * failed most often, and which reason of the program's was given most often.
  * c_examples/plan_tasks.c shows all of it.
  *
@@ -344,9 +367,8 @@
  *
  * LINKING
  *
- * Link with -lcritreg, and for the static library with -lpthread -ldl -lm too.
- * Two static libraries that are both made with Rust clash in one program: then
- * use the shared one. From C++, critreg.hpp wraps what follows.
+ * Link with -lcritreg, and for the static library with -lm too. From C++, critreg.hpp
+ * wraps what follows.
  */
 
 
@@ -355,6 +377,12 @@
 
 #include <stddef.h>
 #include <stdint.h>
+
+/**
+ * The outcome of a sequence of actions whose step k failed, from 1; the steps before it
+ * worked.
+ */
+#define CRITREG_FAILED_STEP(k) (-(critreg_outcome)(k))
 
 /**
  * How many uint64_t make the memory of a learner with room for so many hypotheses,
@@ -499,7 +527,7 @@
  * Bytes of a step of the longest plan, apart from its state and pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLAN_STEP_BYTES 88
+#define CRITREG_PLAN_STEP_BYTES 112
 
 /**
  * Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
@@ -792,6 +820,10 @@ typedef struct critreg_report {
      */
     uint64_t infeasible;
     /**
+     * Samples that were put aside, because their outcome is CRITREG_UNKNOWN.
+     */
+    uint64_t unknown;
+    /**
      * CRITREG_VERSION_SPACE: samples that the region is wrong about; see
      * critreg_config.slack.
      */
@@ -941,12 +973,8 @@ typedef struct critreg_config {
 } critreg_config;
 
 /**
- * What came of an action: CRITREG_FEASIBLE, or the number of the step of an
- * action sequence that failed, counted from one.
- *
- * CRITREG_VERSION_SPACE learns what each step needs from the samples that reached
- * it; the steps before the one that failed worked. It accepts numbers up to
- * critreg_config.steps. CRITREG_ALGORITHM1 makes no difference between steps.
+ * What came of a trial: CRITREG_INFEASIBLE, CRITREG_FEASIBLE, CRITREG_UNKNOWN or
+ * CRITREG_FAILED_STEP(k); see OUTCOMES above.
  */
 typedef int32_t critreg_outcome;
 
@@ -959,9 +987,11 @@ typedef int32_t critreg_outcome;
  * it as const; the others return CRITREG_BUSY.
  *
  * @param user_data What the program passed to critreg_learn_region().
- * @param instance The instance: one number per attribute.
- * @param theta The parameters to try: one number each.
- * @param outcome Receives what came of it.
+ * @param instance The instance: one number per attribute. Points to a number also
+ * where the domain has no objects.
+ * @param theta The parameters to try: one number each. Points to a number also if
+ * there are none.
+ * @param outcome Receives what came of it; holds CRITREG_NO_OUTCOME, which is refused.
  * @return CRITREG_OK if there is an outcome. Anything else stops learning and
  * becomes the status of critreg_learn_region(): CRITREG_CANCELLED, or
  * CRITREG_USER_STATUS and above. The sample then stays to be tried.
@@ -1071,7 +1101,7 @@ typedef struct critreg_planner_config {
      * How many nodes are expanded and samples drawn with advice: what advise
      * postpones, what sample draws from a region or finds to be empty. If there is
      * no plan by then, planning begins anew without any, and so do the limits
-     * above. So wrong advice costs at most so much, but never a plan. Default 1024.
+     * above. So wrong advice costs at most so much, but never a plan. Default 256.
      */
     uint32_t patience;
     /**
@@ -1217,8 +1247,7 @@ typedef struct critreg_draw {
  */
 typedef struct critreg_drawn {
     /**
-     * The parameters, within their ranges; hold NAN. The planner rounds them to
-     * single precision.
+     * The parameters, within their ranges; hold NAN. execute gets just these.
      */
     double parameters[CRITREG_MAX_PARAMETERS];
     /**
@@ -1234,14 +1263,14 @@ typedef struct critreg_drawn {
 
 /**
  * Draws the parameters of a step, for instance with critreg_sample_regions().
- * Asked for operators without parameters, too: it may know that they cannot work.
+ * Asked for operators without parameters, too: it may expect that they do not work.
  *
  * @param user_data What the program passed to critreg_plan().
  * @param draw The step to draw for.
  * @param rng Random numbers. They follow from the seed of critreg_plan().
  * @param drawn Receives the parameters, or why there are none.
- * @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters work in this state,
- * upon which an earlier step is tried again; or what shall stop planning.
+ * @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters are expected to work in
+ * this state, upon which an earlier step is tried again; or what shall stop planning.
  */
 typedef critreg_status (*critreg_sample)(void *user_data,
                                          const struct critreg_draw *draw,
@@ -1461,8 +1490,9 @@ typedef struct critreg_metrics {
 #define CRITREG_CAPACITY_EXCEEDED 7
 
 /**
- * It is proven that the region admits no parameters in this instance: drop the
- * plan skeleton, or fall back on another sampler.
+ * Proven: no parameters are in the region in this instance. Where the region is right
+ * nothing works here, so postpone the plan skeleton, or drop it; a learned region may
+ * be wrong.
  */
 #define CRITREG_EMPTY_REGION 8
 
@@ -1521,15 +1551,27 @@ typedef struct critreg_metrics {
 #define CRITREG_USER_STATUS 1000
 
 /**
- * The action worked.
+ * The action failed. It is what false says. Of a sequence of actions it does not say
+ * enough: use CRITREG_FAILED_STEP(k).
  */
-#define CRITREG_FEASIBLE 0
+#define CRITREG_INFEASIBLE 0
 
 /**
- * The action failed; in a sequence of actions, the first one did. Failures of
- * later steps are 2, 3 and so on.
+ * The action worked. It is what true says.
  */
-#define CRITREG_INFEASIBLE 1
+#define CRITREG_FEASIBLE 1
+
+/**
+ * There is no answer: the trial crashed, say, or took too long. It teaches nothing, and
+ * the sample is put aside.
+ */
+#define CRITREG_UNKNOWN 2
+
+/**
+ * What an outcome holds before a callback is to write it, so that one that was not
+ * written is noticed. It is refused.
+ */
+#define CRITREG_NO_OUTCOME INT32_MIN
 
 /**
  * Go on with it.
@@ -1698,12 +1740,12 @@ critreg_status critreg_learner_parameter_count(const struct critreg_learner *lea
  * critreg_learner_region() is.
  * @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
  * there is no room for another observation (critreg_learner_region() still has
- * what was learned) or for so many instances (critreg_config.instances); the status of a callback that was not CRITREG_OK;
- * CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative, was
- * not written or is a step that the configuration does not have;
- * CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
- * if the instances changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER,
- * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ * what was learned) or for so many instances (critreg_config.instances); the status
+ * of a callback that was not CRITREG_OK; CRITREG_INVALID_ARGUMENT for no instance, or
+ * an outcome that was not written or is none (the sample then stays to be tried);
+ * CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH if the instances
+ * changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
  */
 critreg_status critreg_learn_region(struct critreg_learner *learner,
                                     const double *instances,
@@ -1753,8 +1795,8 @@ critreg_status critreg_ask(struct critreg_learner *learner,
  * @param count How many there are.
  * @param outcome What came of the sample.
  * @return CRITREG_OUT_OF_SEQUENCE if nothing was asked; CRITREG_CAPACITY_EXCEEDED
- * if there is no room for another observation; CRITREG_INVALID_ARGUMENT for an
- * outcome that is negative or a step that the configuration does not have; and as
+ * if there is no room for another observation; CRITREG_INVALID_ARGUMENT for a number
+ * that is no outcome, or a step that the configuration does not have; and as
  * critreg_ask().
  */
 critreg_status critreg_tell(struct critreg_learner *learner,
@@ -2131,7 +2173,7 @@ critreg_status critreg_region_is_empty(const struct critreg_region *region,
  * double theta[1];
  * switch (critreg_sample_region(region, instance, &rng, theta)) {
  * case CRITREG_OK:           return try_action(theta);
- * case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+ * case CRITREG_EMPTY_REGION: return postpone_this_skeleton();
  * default:                   return try_action_with_any_parameters();
  * }
  * ```
@@ -2140,7 +2182,7 @@ critreg_status critreg_region_is_empty(const struct critreg_region *region,
  * @param instance The instance: one number per attribute.
  * @param rng The generator, which moves on, also if no parameters are found.
  * @param theta Receives the parameters: one number each. NULL if there are none.
- * @return CRITREG_EMPTY_REGION if it is proven that there are none,
+ * @return CRITREG_EMPTY_REGION if it is proven that the region has none here,
  * CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_NOT_FINITE,
  * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
  */
@@ -2158,14 +2200,14 @@ critreg_status critreg_sample_region(const struct critreg_region *region,
  * which parameters of the first action the last one works. It is put into as many
  * instances as the plan skeleton has last actions, one for each button that is
  * going to be pressed, and the intersection is known before anything is tried: if
- * it is empty, so is the hope for the skeleton.
+ * it is empty, the skeleton contradicts what was learned.
  *
  * ```c
  * const critreg_region *regions[] = {pick, pick_and_press, pick_and_press};
  * const double *instances[] = {now, with_first_button, with_second_button};
  * switch (critreg_sample_regions(regions, instances, 3, &rng, theta)) {
  * case CRITREG_OK:           return try_action(theta);
- * case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+ * case CRITREG_EMPTY_REGION: return postpone_this_skeleton();
  * default:                   return try_action_with_any_parameters();
  * }
  * ```
@@ -2178,8 +2220,8 @@ critreg_status critreg_sample_region(const struct critreg_region *region,
  * @param count How many regions there are, from 1 to CRITREG_MAX_REGIONS.
  * @param rng The generator, which moves on, also if no parameters are found.
  * @param theta Receives the parameters: one number each. NULL if there are none.
- * @return CRITREG_EMPTY_REGION if it is proven that there are none,
- * CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_MISMATCH if the
+ * @return CRITREG_EMPTY_REGION if it is proven that the regions have none in common
+ * here, CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_MISMATCH if the
  * regions have other parameters; CRITREG_CAPACITY_EXCEEDED for too many regions;
  * CRITREG_INVALID_ARGUMENT for no region; CRITREG_NOT_FINITE,
  * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.

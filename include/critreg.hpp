@@ -10,7 +10,7 @@
  *     critreg::Learner learner(DOMAIN);
  *     critreg::Region region = learner.learn(instances, [](const double *instance,
  *                                                          const double *theta) {
- *         return try_grasp(instance, theta) ? CRITREG_FEASIBLE : CRITREG_INFEASIBLE;
+ *         return try_grasp(instance, theta);      // a bool: whether it works
  *     });
  *     critreg::Rng rng(7);
  *     if (auto theta = region.sample(instance, rng)) try_it(*theta);
@@ -28,6 +28,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -289,11 +290,14 @@ public:
 
     /**
      * Learns with a simulator: simulate(const double *instance, const double *theta)
-     * returns a critreg_outcome. What it throws ends learning and is thrown on;
-     * learning can go on afterwards.
+     * returns a bool, whether the action works, or a critreg_outcome. What it throws ends
+     * learning and is thrown on; learning can go on afterwards.
      */
     template <class Simulate>
     Region learn(const std::vector<double> &instances, Simulate &&simulate) {
+        using Answer = std::invoke_result_t<Simulate &, const double *, const double *>;
+        static_assert(std::is_integral_v<Answer>,
+                      "simulate returns a bool or a critreg_outcome");
         struct Call {
             Simulate &simulate;
             std::exception_ptr thrown;
@@ -325,7 +329,7 @@ public:
         return query;
     }
 
-    /** What came of it. */
+    /** What came of it: a bool, whether the action worked, or a critreg_outcome. */
     void tell(const std::vector<double> &instances, critreg_outcome outcome) {
         check(critreg_tell(handle(), instances.data(), count(instances), outcome));
     }
@@ -381,9 +385,11 @@ public:
 
 private:
     std::size_t count(const std::vector<double> &instances) const {
-        if (instance_len_ == 0 || instances.size() % instance_len_ != 0)
+        // Where a domain has no objects there is one instance, without numbers.
+        const std::size_t len = std::max<std::size_t>(instance_len_, 1);
+        if (instances.size() % len != 0 || (instance_len_ == 0 && !instances.empty()))
             throw Error(CRITREG_INVALID_ARGUMENT, "the instances have the wrong length");
-        return instances.size() / instance_len_;
+        return instance_len_ == 0 ? 1 : instances.size() / len;
     }
 
     void check(critreg_status status) const {

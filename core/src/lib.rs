@@ -26,49 +26,62 @@
 //! | [`real`], [`random`], [`table`], [`text`] | numbers, random numbers, tables in lent memory, reading and writing |
 //!
 //! Each knows only those below it; no layer knows an environment. Data flow one
-//! way: a domain text makes a [`domain::Domain`], that a [`grammar::Features`]
-//! table, that a [`grammar::Hypotheses`] table; a [`learn::Learner`] asks about a
-//! [`learn::Problem`] and makes a [`region::Region`].
+//! way: a domain text makes a [`domain::Domain`], that a table of [`grammar::Features`],
+//! that the forms of a learner; a [`learn::Learner`] asks about a [`learn::Problem`] and
+//! makes a [`region::Region`].
 //!
-//! # Learning to pick a stick
+//! # Learning where to grasp a stick
 //!
 //! ```
-//! use critreg::domain::{Domain, Node};
-//! use critreg::env::stick_button::StickButton;
-//! use critreg::learn::{Algorithm1, Bounds, Capacity, Config, Memory, Observation, Problem};
+//! use critreg::domain::Domain;
+//! use critreg::learn::{Capacity, Config, Outcome, Problem, VersionSpace, learn_region};
 //! use critreg::random::generator;
 //!
-//! # fn main() -> Result<(), critreg::Error> {
-//! let environment = StickButton { angles: false };
-//! let domain = Domain::parse(StickButton::PICK_DOMAIN)?;
-//! let task = environment.task(1..=1, &mut generator(3))?;
-//! let problem = Problem::new(&domain, task.initial.values(), 1)?;
+//! // Memory for 4096 forms and 256 observations, as arrays.
+//! critreg::room!(struct Room: f64, Capacity::new(4096, 256));
 //!
-//! const ROOM: Capacity = Capacity { hypotheses: 4096, observations: 64 };
-//! let mut features = [Node::Number(0.0); ROOM.features()];
-//! let mut values = [0.0_f64; ROOM.features()];
-//! let mut pairs = [0; ROOM.pairs()];
-//! let mut bounds = [Bounds::default(); ROOM.lefts()];
-//! let mut observations = [Observation::default(); ROOM.observations];
-//! let memory = Memory {
-//!     features: &mut features,
-//!     values: &mut values,
-//!     pairs: &mut pairs,
-//!     bounds: &mut bounds,
-//!     observations: &mut observations,
-//! };
-//! let config = Config {
-//!     iterations: 40,
-//!     negative: Some([0.95, 0.0, 0.0, 0.0, 0.0, 0.0]),
-//!     positive: Some([0.5, 0.0, 0.0, 0.0, 0.0, 0.0]),
-//!     ..Config::default()
-//! };
-//! let mut learner = Algorithm1::new(&domain, config, ROOM, memory)?;
-//! let learned = critreg::learn::learn_region(&mut learner, &problem, |_, query| {
-//!     environment.try_pick(problem.instance(query.instance)?, &query.theta)
-//! });
-//! // The thesis's learner often ends with nothing; that is an answer, too.
-//! assert!(learned.is_ok() || learned == Err(critreg::Error::NoRegion));
+//! # fn main() -> Result<(), critreg::Error> {
+//! // What the planner knows: the only place where a domain is described.
+//! let domain = Domain::parse(
+//!     "object stick  { x: length, y: length, theta: angle }
+//!      object holder { x: length, y: length, theta: angle }
+//!      constant zone.top     = 3.0: length
+//!      constant stick.width  = 3.0: length
+//!      constant holder.width = 0.3: length
+//!      constant robot.radius = 0.1: length
+//!      parameter mu in [0, 1]
+//!      point grasp         = stick  + (mu * stick.width, 0)      # in the stick's frame
+//!      point holder.centre = holder + (0.5 * holder.width, 0)",
+//! )?;
+//! let instances = [
+//!     2.0, 0.7, 1.57, 2.0, 1.0, 1.57, // stick x y theta, holder x y theta
+//!     5.0, 1.1, 1.57, 5.0, 2.2, 1.57,
+//!     7.5, 1.5, 1.57, 7.5, 1.6, 1.57,
+//!     4.0, 0.9, 1.57, 4.0, 0.9, 1.57,
+//! ];
+//! let problem = Problem::new(&domain, &instances, 4)?;
+//!
+//! let mut room = Room::new();
+//! let mut learner = VersionSpace::new(&domain, Config::default(), Room::CAPACITY, room.lend())?;
+//!
+//! // Whatever can tell whether the action works: a simulator, a motion planner, a robot.
+//! // Here: the robot must stay in its zone.
+//! let region = learn_region(&mut learner, &problem, |_, query| {
+//!     let instance = problem.instance(query.instance)?;
+//!     let y = instance[1] + query.theta[0] * 3.0 * instance[2].sin();
+//!     Ok::<_, critreg::Error>(Outcome::from_feasible(y <= 2.9))
+//! })?;
+//! let text = region.display(&domain).to_string();
+//! assert_eq!(text, "grasp.y <= 2.9 (zone.top - robot.radius)");
+//!
+//! // In a new scene: exact, uniform, or a proof that no parameters are in the region there.
+//! let mut rng = generator(7);
+//! let new_scene = [3.0, 2.0, 1.57, 3.0, 2.4, 1.57];
+//! let [mu, ..] = region.sample::<f64>(&domain, &new_scene, &mut rng)?;
+//! assert!(2.0 + 3.0 * mu <= 2.9 + 1e-6);
+//! let too_high = [3.0, 2.95, 1.57, 3.0, 2.4, 1.57];
+//! let drawn = region.sample::<f64>(&domain, &too_high, &mut rng);
+//! assert_eq!(drawn, Err(critreg::Error::EmptyRegion));
 //! # Ok(())
 //! # }
 //! ```

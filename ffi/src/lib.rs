@@ -42,9 +42,6 @@
 )]
 #![allow(non_camel_case_types, reason = "these are the names of the C types")]
 
-#[cfg(feature = "std")]
-extern crate std;
-
 pub mod boundary;
 pub mod check;
 pub mod learner;
@@ -52,10 +49,7 @@ pub mod planner;
 pub mod region;
 pub mod stick_button;
 
-#[cfg(all(feature = "halt", not(feature = "std"), not(test), panic = "unwind"))]
-compile_error!("there is nothing to unwind into: build with panic = \"abort\"");
-
-#[cfg(all(feature = "halt", not(feature = "std"), not(test)))]
+#[cfg(all(feature = "halt", panic = "abort"))]
 #[panic_handler]
 fn halt(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {

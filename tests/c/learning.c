@@ -22,9 +22,9 @@ static critreg_status reach_then_lift(void *user_data, const double *instance,
 {
     (void)user_data;
     if (theta[0] > instance[0] - 0.1)
-        *outcome = 1;
+        *outcome = CRITREG_FAILED_STEP(1);
     else
-        *outcome = theta[0] >= 0.5 ? CRITREG_FEASIBLE : 2;
+        *outcome = theta[0] >= 0.5 ? CRITREG_FEASIBLE : CRITREG_FAILED_STEP(2);
     return CRITREG_OK;
 }
 

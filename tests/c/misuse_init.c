@@ -22,6 +22,27 @@ static void wrong_arguments(void)
                                                     ASKEW(critreg_learner *, memory)));
 }
 
+/* There must be something to learn about. */
+static void empty_domains(void)
+{
+    static const char *const texts[] = {"", " \n", "# nothing", "constant a = 1: length",
+                                        "type block { x: length }", "object wall { }"};
+    static uint64_t room[CRITREG_REGION_WORDS];
+    critreg_region *region;
+    char why[128];
+    size_t i;
+
+    for (i = 0; i < sizeof texts / sizeof *texts; i++) {
+        EXPECT(CRITREG_SYNTAX_ERROR, init(texts[i], NULL));
+        EXPECT(CRITREG_SYNTAX_ERROR, critreg_check_domain(texts[i], why, sizeof why, NULL));
+        EXPECT_TRUE(strstr(why, ": expected an object with an attribute, or a parameter") != NULL);
+        EXPECT(CRITREG_SYNTAX_ERROR,
+               critreg_region_parse(room, sizeof room, texts[i], "true", &region));
+    }
+    OK(init("object wall { x: length }", NULL));
+    OK(init("parameter reach in [0, 4]", NULL));
+}
+
 static void wrong_texts(void)
 {
     static char long_text[CRITREG_DOMAIN_TEXT_MAX + 1];
@@ -327,6 +348,7 @@ int main(void)
     learner = sentinel;
     wrong_arguments();
     EXPECT_TRUE(learner == sentinel);
+    empty_domains();
     wrong_texts();
     wrong_manual_samples();
     wrong_shares_and_sizes();

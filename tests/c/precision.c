@@ -43,7 +43,7 @@ static int working(const critreg_region *region, uint64_t seed)
     tasks(1000 * seed, TASKS, instances);
     for (i = 0; i < TASKS; i++)
         for (j = 0; j < DRAWS; j++) {
-            critreg_outcome outcome = -1;
+            critreg_outcome outcome = CRITREG_NO_OUTCOME;
             int32_t inside = 0;
             OK(critreg_sample_region(region, instances[i], &rng, &theta));
             OK(critreg_region_contains(region, instances[i], &theta, &inside));

@@ -7,7 +7,7 @@
 //! however many there are, and so one region serves every instance.
 
 use super::declarations::{Member, Object};
-use super::node::{Node, Relation};
+use super::node::{Node, NodeId, Quantity, TermError, intern, node_at};
 use super::schema::Domain;
 
 impl<'t> Domain<'t> {
@@ -21,12 +21,11 @@ impl<'t> Domain<'t> {
         range.and_then(|r| self.objects.get(r)).unwrap_or(&[])
     }
 
-    /// The members that a term is about, apart from those that an extreme is taken
-    /// of: none, one, or those of several points.
-    pub(crate) fn members_in(&self, term: Node) -> [Option<Member>; 3] {
-        match term {
-            Node::Attribute(slot) => [self.owner(slot).and_then(|o| o.member), None, None],
-            other => other.points().map(|point| self.point_member(point?)),
+    /// The members that a quantity is about: none, one, or those of several points.
+    pub(crate) fn members_in(&self, quantity: Quantity) -> [Option<Member>; 3] {
+        match quantity.slot() {
+            Some(slot) => [self.owner(slot).and_then(|o| o.member), None, None],
+            None => quantity.points().map(|point| self.point_member(point?)),
         }
     }
 
@@ -34,29 +33,64 @@ impl<'t> Domain<'t> {
         self.points.get(usize::from(point))?.member
     }
 
-    /// What a relation is for each member of its group, with that member.
-    pub(crate) fn terms(&self, relation: Relation) -> impl Iterator<Item = (&Object<'t>, Node)> {
-        let term = relation.term();
-        let group = self.members_in(term).into_iter().flatten().next();
+    /// What a quantity of a group is for each member, with that member.
+    pub(super) fn of_members(
+        &self,
+        quantity: Quantity,
+    ) -> impl Iterator<Item = (&Object<'t>, Quantity)> {
+        let group = self.members_in(quantity).into_iter().flatten().next();
         let members = group.map_or(&[][..], |first| self.members(first.group));
-        let terms = (0u8..).map(move |index| self.for_member(term, index));
-        members.iter().zip(terms)
+        let quantities = (0u8..).map(move |index| self.of_member(quantity, index));
+        members.iter().zip(quantities)
     }
 
-    /// What a term about the first member of a group is for another member.
-    pub(super) fn for_member(&self, term: Node, index: u8) -> Node {
-        let point = |p: u8| match self.point_member(p) {
-            Some(_) => p.saturating_add(index),
-            None => p,
-        };
+    /// Visits the quantities that a term looks up: the one that it is, or those of all
+    /// members of which it is the extreme.
+    pub(super) fn quantities(&self, term: Node, visit: &mut dyn FnMut(Quantity)) {
         match term {
-            Node::Attribute(slot) => Node::Attribute(self.slot_of_member(slot, index)),
-            Node::Coordinate(coordinate, p) => Node::Coordinate(coordinate, point(p)),
-            Node::Distance(metric, a, b) => Node::Distance(metric, point(a), point(b)),
-            Node::Angle(a, b) => Node::Angle(point(a), point(b)),
-            Node::VertexAngle(a, b, c) => Node::VertexAngle(point(a), point(b), point(c)),
-            other => other,
+            Node::Quantity(quantity) => visit(quantity),
+            Node::Extreme(_, quantity) => {
+                for (_, own) in self.of_members(quantity) {
+                    visit(own);
+                }
+            }
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Area(_)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => {}
         }
+    }
+
+    /// What a quantity of the first member of a group is for another member.
+    pub(super) fn of_member(&self, quantity: Quantity, index: u8) -> Quantity {
+        match quantity.slot() {
+            Some(slot) => Quantity::Attribute(self.slot_of_member(slot, index)),
+            None => quantity.with_points(quantity.points().map(|point| {
+                let point = point.unwrap_or_default();
+                match self.point_member(point) {
+                    Some(_) => point.saturating_add(index),
+                    None => point,
+                }
+            })),
+        }
+    }
+
+    /// What a term about the first member of a group is for another member; it is added
+    /// to those of the domain.
+    pub(super) fn term_of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, TermError> {
+        let node = node_at(&self.nodes, id)?;
+        let term = match (node.operands(), node.quantity()) {
+            (Some((a, b, make)), _) => make(
+                self.term_of_member(a, index)?,
+                self.term_of_member(b, index)?,
+            ),
+            (None, Some(quantity)) => Node::Quantity(self.of_member(quantity, index)),
+            (None, None) => node,
+        };
+        intern(&mut self.nodes, term)
     }
 
     fn slot_of_member(&self, slot: u8, index: u8) -> u8 {

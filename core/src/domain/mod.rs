@@ -29,6 +29,7 @@
 //!           | "angle" "(" path "," path "," path ")"         (* at the second point *)
 //!           | "area" "(" name ")" ;
 //! path      = name { "." name } ;
+//! name      = ( letter | "_" ) { letter | digit | "_" } ;
 //! ```
 //!
 //! An object whose type has the attributes `x` and `y` (and `z`, `theta` or
@@ -91,7 +92,7 @@ pub use declarations::{
 };
 pub use dimension::Dimension;
 pub use expression::{Dependence, MAX_DEPTH};
-pub use node::{Coordinate, Extreme, Metric, Node, NodeId, Relation};
+pub use node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};

@@ -6,6 +6,7 @@
 use crate::error::Error;
 use crate::real::Real;
 use crate::table::Blank;
+use core::mem::discriminant;
 use heapless::VecView;
 
 /// Index of a node in its list.
@@ -25,16 +26,6 @@ pub enum Coordinate {
     Theta,
 }
 
-impl Coordinate {
-    /// All of them, each with its name behind that of the point.
-    pub(super) const NAMED: [(&str, Coordinate); 4] = [
-        ("x", Coordinate::X),
-        ("y", Coordinate::Y),
-        ("z", Coordinate::Z),
-        ("theta", Coordinate::Theta),
-    ];
-}
-
 /// How far apart two points are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
@@ -48,27 +39,55 @@ pub enum Metric {
     Straight,
 }
 
-impl Metric {
-    /// All of them, each with the name of its function.
-    pub(super) const NAMED: [(&str, Metric); 4] = [
-        ("dist_x", Metric::X),
-        ("dist_y", Metric::Y),
-        ("dist_z", Metric::Z),
-        ("dist", Metric::Straight),
-    ];
+/// A number that an instance and a sample have for an object or for points. Of the
+/// members of a group it names the first one, which stands for each of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// An attribute of an object, by its place in an instance.
+    Attribute(u8),
+    /// A coordinate of a point.
+    Coordinate(Coordinate, u8),
+    /// The distance of two points.
+    Distance(Metric, u8, u8),
+    /// The angle between the x axes of two points, in `[0, pi]`.
+    Angle(u8, u8),
+    /// The angle at the second point between the directions to the first and to the
+    /// third, in `[0, pi]`; zero where one of them is the second point itself.
+    VertexAngle(u8, u8, u8),
 }
 
-/// The value with this name.
-pub(super) fn named<T: Copy>(all: &[(&str, T)], name: &str) -> Option<T> {
-    let mut all = all.iter();
-    all.find(|(own, _)| *own == name).map(|(_, value)| *value)
-}
+impl Quantity {
+    /// Its place in an instance, if it is an attribute.
+    pub(super) fn slot(self) -> Option<u8> {
+        match self {
+            Quantity::Attribute(slot) => Some(slot),
+            Quantity::Coordinate(..)
+            | Quantity::Distance(..)
+            | Quantity::Angle(..)
+            | Quantity::VertexAngle(..) => None,
+        }
+    }
 
-/// The name of a value.
-pub(super) fn name_of<T: PartialEq>(all: &[(&'static str, T)], value: T) -> &'static str {
-    let mut all = all.iter();
-    all.find(|(_, own)| *own == value)
-        .map_or("?", |(name, _)| name)
+    /// The points that it is about.
+    pub(super) fn points(self) -> [Option<u8>; 3] {
+        match self {
+            Quantity::Attribute(_) => [None; 3],
+            Quantity::Coordinate(_, a) => [Some(a), None, None],
+            Quantity::Distance(_, a, b) | Quantity::Angle(a, b) => [Some(a), Some(b), None],
+            Quantity::VertexAngle(a, b, c) => [Some(a), Some(b), Some(c)],
+        }
+    }
+
+    /// The same of other points, of which it takes as many as it has.
+    pub(super) fn with_points(self, [a, b, c]: [u8; 3]) -> Quantity {
+        match self {
+            Quantity::Attribute(slot) => Quantity::Attribute(slot),
+            Quantity::Coordinate(axis, _) => Quantity::Coordinate(axis, a),
+            Quantity::Distance(metric, ..) => Quantity::Distance(metric, a, b),
+            Quantity::Angle(..) => Quantity::Angle(a, b),
+            Quantity::VertexAngle(..) => Quantity::VertexAngle(a, b, c),
+        }
+    }
 }
 
 /// One term. Indices of constants, attributes, points and shapes refer to the
@@ -79,24 +98,15 @@ pub enum Node {
     Number(f64),
     /// A constant.
     Constant(u8),
-    /// An attribute of an object, by its place in an instance.
-    Attribute(u8),
     /// A parameter of the action.
     Parameter(u8),
-    /// A coordinate of a point.
-    Coordinate(Coordinate, u8),
-    /// The distance of two points.
-    Distance(Metric, u8, u8),
-    /// The angle between the x axes of two points, in `[0, pi]`.
-    Angle(u8, u8),
-    /// The angle at the second point between the directions to the first and to the
-    /// third, in `[0, pi]`; zero where one of them is the second point itself.
-    VertexAngle(u8, u8, u8),
     /// The area of a shape.
     Area(u8),
-    /// The least or greatest value over the members of a group that an instance
-    /// has.
-    Extreme(Extreme, Relation),
+    /// A quantity of an object or of points.
+    Quantity(Quantity),
+    /// The least or greatest value of a quantity over the members of a group that an
+    /// instance has.
+    Extreme(Extreme, Quantity),
     /// `a + b`
     Sum(NodeId, NodeId),
     /// `a - b`
@@ -107,6 +117,76 @@ pub enum Node {
 
 impl Blank for Node {
     const BLANK: Self = Node::Number(0.0);
+}
+
+const _: () = assert!(
+    size_of::<Node>() == 16,
+    "tables of features are made of them"
+);
+
+/// Makes a term of two operands.
+type Operation = fn(NodeId, NodeId) -> Node;
+
+/// What a term is: each question is answered for every kind of term, once.
+impl Node {
+    /// The operands of a sum, difference or product, and what makes one of others.
+    pub(crate) fn operands(self) -> Option<(NodeId, NodeId, Operation)> {
+        match self {
+            Node::Sum(a, b) => Some((a, b, Node::Sum)),
+            Node::Difference(a, b) => Some((a, b, Node::Difference)),
+            Node::Product(a, b) => Some((a, b, Node::Product)),
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Area(_)
+            | Node::Quantity(_)
+            | Node::Extreme(..) => None,
+        }
+    }
+
+    /// The parameter that it is.
+    pub(super) fn parameter(self) -> Option<u8> {
+        match self {
+            Node::Parameter(parameter) => Some(parameter),
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Area(_)
+            | Node::Quantity(_)
+            | Node::Extreme(..)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => None,
+        }
+    }
+
+    /// Whether its value is given: by itself, the domain or an instance. All others need
+    /// a pose, parameters or operands.
+    pub(super) fn is_given(self) -> bool {
+        match self {
+            Node::Number(_) | Node::Constant(_) | Node::Area(_) => true,
+            Node::Quantity(quantity) => quantity.slot().is_some(),
+            Node::Parameter(_)
+            | Node::Extreme(..)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => false,
+        }
+    }
+
+    /// The quantity that it is, as it is: not the extreme of one.
+    pub(super) fn quantity(self) -> Option<Quantity> {
+        match self {
+            Node::Quantity(quantity) => Some(quantity),
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Area(_)
+            | Node::Extreme(..)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => None,
+        }
+    }
 }
 
 /// Which of several values counts.
@@ -122,19 +202,6 @@ impl Extreme {
     /// Both, in the order of the grammar.
     pub const ALL: [Extreme; 2] = [Extreme::Least, Extreme::Greatest];
 
-    /// Its name in the texts.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Extreme::Least => "min",
-            Extreme::Greatest => "max",
-        }
-    }
-
-    /// The one with this name.
-    pub fn from_name(name: &str) -> Option<Extreme> {
-        Extreme::ALL.into_iter().find(|e| e.name() == name)
-    }
-
     /// The one of two values that counts.
     pub fn of<R: Real>(self, a: R, b: R) -> R {
         match self {
@@ -149,47 +216,6 @@ impl Extreme {
         match self {
             Extreme::Least => R::INFINITY,
             Extreme::Greatest => -R::INFINITY,
-        }
-    }
-}
-
-/// A term about the members of one group, of which the extreme is taken. It names
-/// the first member, which stands for each of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
-    /// As [`Node::Attribute`].
-    Attribute(u8),
-    /// As [`Node::Coordinate`].
-    Coordinate(Coordinate, u8),
-    /// As [`Node::Distance`].
-    Distance(Metric, u8, u8),
-    /// As [`Node::Angle`].
-    Angle(u8, u8),
-    /// As [`Node::VertexAngle`].
-    VertexAngle(u8, u8, u8),
-}
-
-impl Relation {
-    /// The relation that is this term; `None` for any other term.
-    pub fn of(term: Node) -> Option<Relation> {
-        match term {
-            Node::Attribute(slot) => Some(Relation::Attribute(slot)),
-            Node::Coordinate(coordinate, point) => Some(Relation::Coordinate(coordinate, point)),
-            Node::Distance(metric, a, b) => Some(Relation::Distance(metric, a, b)),
-            Node::Angle(a, b) => Some(Relation::Angle(a, b)),
-            Node::VertexAngle(a, b, c) => Some(Relation::VertexAngle(a, b, c)),
-            _ => None,
-        }
-    }
-
-    /// The term about the first member.
-    pub fn term(self) -> Node {
-        match self {
-            Relation::Attribute(slot) => Node::Attribute(slot),
-            Relation::Coordinate(coordinate, point) => Node::Coordinate(coordinate, point),
-            Relation::Distance(metric, a, b) => Node::Distance(metric, a, b),
-            Relation::Angle(a, b) => Node::Angle(a, b),
-            Relation::VertexAngle(a, b, c) => Node::VertexAngle(a, b, c),
         }
     }
 }
@@ -232,12 +258,14 @@ pub(crate) fn intern(nodes: &mut VecView<Node>, node: Node) -> Result<NodeId, Te
 /// Whether two expressions, each in a list of its own, are the same.
 pub(crate) fn is_same(nodes: &[Node], id: NodeId, others: &[Node], other: NodeId) -> bool {
     let same = |a, b| is_same(nodes, a, others, b);
-    match (node_at(nodes, id), node_at(others, other)) {
-        (Ok(Node::Sum(a, b)), Ok(Node::Sum(c, d)))
-        | (Ok(Node::Difference(a, b)), Ok(Node::Difference(c, d)))
-        | (Ok(Node::Product(a, b)), Ok(Node::Product(c, d))) => same(a, c) && same(b, d),
-        (Ok(leaf), Ok(other)) => leaf == other,
-        _ => false,
+    let (Ok(own), Ok(other)) = (node_at(nodes, id), node_at(others, other)) else {
+        return false;
+    };
+    match (own.operands(), other.operands()) {
+        (Some((a, b, _)), Some((c, d, _))) => {
+            discriminant(&own) == discriminant(&other) && same(a, c) && same(b, d)
+        }
+        _ => own == other,
     }
 }
 
@@ -259,29 +287,4 @@ pub(crate) fn node_at(nodes: &[Node], id: NodeId) -> Result<Node, TermError> {
         .get(usize::from(id.0))
         .copied()
         .ok_or(TermError::Missing)
-}
-
-/// Makes a term of two operands.
-type Operation = fn(NodeId, NodeId) -> Node;
-
-impl Node {
-    /// The operands of a sum, difference or product, and what makes one of others.
-    pub(super) fn operands(self) -> Option<(NodeId, NodeId, Operation)> {
-        match self {
-            Node::Sum(a, b) => Some((a, b, Node::Sum)),
-            Node::Difference(a, b) => Some((a, b, Node::Difference)),
-            Node::Product(a, b) => Some((a, b, Node::Product)),
-            _ => None,
-        }
-    }
-
-    /// The points that a term is about, apart from those that an extreme is taken of.
-    pub(super) fn points(self) -> [Option<u8>; 3] {
-        match self {
-            Node::Coordinate(_, a) => [Some(a), None, None],
-            Node::Distance(_, a, b) | Node::Angle(a, b) => [Some(a), Some(b), None],
-            Node::VertexAngle(a, b, c) => [Some(a), Some(b), Some(c)],
-            _ => [None; 3],
-        }
-    }
 }

@@ -1,6 +1,7 @@
 //! Sets of points: what a region or learner speaks about.
 
 use super::declarations::{Base, Point, PoseSlots};
+use super::expression::parameter_bit;
 use super::node::Node;
 use super::schema::{Domain, MAX_POINTS};
 
@@ -29,45 +30,36 @@ impl PointSet {
     /// The points that a list of nodes speaks about; all members' where it speaks
     /// of a group.
     pub fn of(domain: &Domain<'_>, nodes: &[Node]) -> PointSet {
-        nodes
-            .iter()
-            .fold(PointSet::default(), |set, node| match node {
-                Node::Extreme(_, relation) => domain
-                    .terms(*relation)
-                    .fold(set, |set, (_, term)| set.with_term(domain, term)),
-                term => set.with_term(domain, *term),
-            })
+        let mut set = PointSet::default();
+        for node in nodes {
+            domain.quantities(*node, &mut |quantity| {
+                for point in quantity.points().into_iter().flatten() {
+                    set = set.with(domain, point);
+                }
+            });
+        }
+        set
     }
 
     /// A bit for each parameter that these points or a list of nodes depend on.
     pub(crate) fn parameters(self, domain: &Domain<'_>, nodes: &[Node]) -> u32 {
-        let own = |nodes: &[Node]| {
-            nodes.iter().fold(0u32, |bits, node| match node {
-                Node::Parameter(p) => bits | 1u32.checked_shl(u32::from(*p)).unwrap_or(0),
-                _ => bits,
-            })
-        };
+        let own = nodes
+            .iter()
+            .fold(0, |bits, node| bits | parameter_bit(*node));
         let points = self.fixed.iter().chain(self.sampled.iter());
         let points = points.filter_map(|p| domain.points().get(usize::from(p)));
         let placed = points.flat_map(|p| p.turn.into_iter().chain(p.offset).flatten());
-        placed.fold(own(nodes), |bits, term| {
+        placed.fold(own, |bits, term| {
             bits | domain.parameters_of(domain.nodes(), term)
         })
     }
 
     /// Whether a number of an instance counts for these points or a list of nodes.
     pub(crate) fn reads(self, domain: &Domain<'_>, nodes: &[Node], slot: u8) -> bool {
-        let is_it = |node: &Node| match node {
-            Node::Extreme(_, relation) => {
-                let mut terms = domain.terms(*relation);
-                terms.any(|(_, term)| term == Node::Attribute(slot))
-            }
-            node => *node == Node::Attribute(slot),
-        };
         let places = |point: &Point<'_>| {
             let pose = match point.base {
                 Base::Object(object) => *domain.pose_slots(object),
-                _ => PoseSlots::default(),
+                Base::World | Base::Point(_) => PoseSlots::default(),
             };
             let mut pose = pose.position.into_iter().chain(pose.angles);
             let mut moved = point.turn.into_iter().chain(point.offset).flatten();
@@ -76,16 +68,7 @@ impl PointSet {
         };
         let points = self.fixed.iter().chain(self.sampled.iter());
         let mut points = points.filter_map(|p| domain.points().get(usize::from(p)));
-        nodes.iter().any(is_it) || points.any(places)
-    }
-
-    fn with_term(self, domain: &Domain<'_>, term: Node) -> PointSet {
-        match term {
-            Node::Coordinate(_, p) => self.with(domain, p),
-            Node::Distance(_, a, b) | Node::Angle(a, b) => self.with(domain, a).with(domain, b),
-            Node::VertexAngle(a, b, c) => self.with(domain, a).with(domain, b).with(domain, c),
-            _ => self,
-        }
+        nodes.iter().any(|node| domain.is_about(*node, slot)) || points.any(places)
     }
 
     fn with(mut self, domain: &Domain<'_>, point: u8) -> PointSet {

@@ -2,7 +2,7 @@
 
 use super::algebra::{Algebra, Arithmetic, Measure};
 use super::declarations::{Base, Point};
-use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Relation};
+use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 use super::scene::{MAX_SAMPLE_POINTS, Scene, is_zero, parameter};
 use super::turns::Turn;
 use crate::geometry::Rotation;
@@ -73,8 +73,8 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     pub(crate) fn difference(&self, nodes: &[Node], [left, right]: [NodeId; 2]) -> A::Measure {
         let mut left = self.measure(nodes, left);
         match nodes.get(usize::from(right.0)) {
-            Some(term @ (Node::Number(_) | Node::Constant(_) | Node::Attribute(_))) => {
-                left.lower(self.scene.settled(term));
+            Some(term) if term.is_given() => {
+                left.lower(self.scene.given(term));
                 left
             }
             _ => left.minus(self.measure(nodes, right)),
@@ -89,20 +89,19 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         id: NodeId,
         chosen: &impl Fn(NodeId) -> Option<usize>,
     ) -> A::Measure {
-        let term = match (nodes.get(usize::from(id.0)), chosen(id)) {
-            (Some(Node::Extreme(_, relation)), Some(place)) => {
-                self.scene.terms(*relation).nth(place)
+        match (nodes.get(usize::from(id.0)), chosen(id)) {
+            (Some(Node::Extreme(_, quantity)), Some(place)) => {
+                let member = self.scene.of_members(*quantity).nth(place);
+                member.map_or_else(A::Measure::unknown, |own| self.leaf(Node::Quantity(own)))
             }
-            (node, _) => node.copied(),
-        };
-        term.map_or_else(A::Measure::unknown, |node| {
-            self.node(node, |id| self.measure_choosing(nodes, id, chosen))
-        })
+            (Some(node), _) => self.node(*node, |id| self.measure_choosing(nodes, id, chosen)),
+            (None, _) => A::Measure::unknown(),
+        }
     }
 
-    /// How many members of its group the instance has for a relation.
-    pub(crate) fn member_count(&self, relation: Relation) -> usize {
-        self.scene.terms(relation).count()
+    /// How many members of its group the instance has for a quantity.
+    pub(crate) fn member_count(&self, quantity: Quantity) -> usize {
+        self.scene.of_members(quantity).count()
     }
 
     /// The value of a node whose operands are known.
@@ -112,26 +111,39 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             Node::Sum(a, b) => operand(a).plus(operand(b)),
             Node::Difference(a, b) => operand(a).minus(operand(b)),
             Node::Product(a, b) => operand(a).times(operand(b)),
-            leaf => self.leaf(leaf),
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Area(_)
+            | Node::Quantity(_)
+            | Node::Extreme(..) => self.leaf(node),
         }
     }
 
+    /// The value of a node without operands.
     fn leaf(&self, leaf: Node) -> A::Measure {
         match leaf {
             Node::Parameter(p) => parameter(self.theta, p).measure(),
-            Node::Coordinate(coordinate, p) => self.coordinate(coordinate, p),
-            Node::Distance(metric, a, b) => self.distance(metric, a, b),
-            Node::Angle(a, b) => self.angle(a, b),
-            Node::VertexAngle(a, vertex, b) => self.vertex_angle(a, vertex, b),
-            Node::Extreme(extreme, relation) => self.extreme(extreme, relation),
-            settled => A::Measure::constant(self.scene.settled(&settled)),
+            Node::Quantity(Quantity::Coordinate(coordinate, p)) => self.coordinate(coordinate, p),
+            Node::Quantity(Quantity::Distance(metric, a, b)) => self.distance(metric, a, b),
+            Node::Quantity(Quantity::Angle(a, b)) => self.angle(a, b),
+            Node::Quantity(Quantity::VertexAngle(a, vertex, b)) => self.vertex_angle(a, vertex, b),
+            Node::Extreme(extreme, quantity) => self.extreme(extreme, quantity),
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Area(_)
+            | Node::Quantity(Quantity::Attribute(_)) => {
+                A::Measure::constant(self.scene.given(&leaf))
+            }
+            Node::Sum(..) | Node::Difference(..) | Node::Product(..) => A::Measure::unknown(),
         }
     }
 
     #[inline(never)]
-    fn extreme(&self, extreme: Extreme, relation: Relation) -> A::Measure {
-        let values = self.scene.terms(relation).map(|term| self.leaf(term));
-        values
+    fn extreme(&self, extreme: Extreme, quantity: Quantity) -> A::Measure {
+        let members = self.scene.of_members(quantity);
+        members
+            .map(|own| self.leaf(Node::Quantity(own)))
             .reduce(|a, b| a.extreme(extreme, b))
             .unwrap_or_else(|| A::Measure::constant(extreme.of_nothing()))
     }

@@ -4,7 +4,7 @@
 
 use super::algebra::{Algebra, Arithmetic};
 use super::declarations::{Base, Point, Shape};
-use super::node::{Node, NodeId, Relation};
+use super::node::{Node, NodeId, Quantity};
 use super::point_set::PointSet;
 use super::schema::{Domain, MAX_OBJECTS, MAX_POINTS};
 use super::turns::Turn;
@@ -172,7 +172,13 @@ impl<'a, R: Real> Scene<'a, R> {
             Some(Node::Difference(a, b)) => term(*a).minus(term(*b)),
             Some(Node::Product(a, b)) => term(*a).times(term(*b)),
             Some(Node::Parameter(p)) => parameter(theta, *p),
-            Some(leaf) => A::constant(self.settled(leaf)),
+            Some(
+                leaf @ (Node::Number(_)
+                | Node::Constant(_)
+                | Node::Area(_)
+                | Node::Quantity(_)
+                | Node::Extreme(..)),
+            ) => A::constant(self.given(leaf)),
             None => A::unknown(),
         }
     }
@@ -217,24 +223,28 @@ impl<'a, R: Real> Scene<'a, R> {
         }
     }
 
-    /// What a relation is for each member of its group that the instance has.
-    pub(super) fn terms(&self, relation: Relation) -> impl Iterator<Item = Node> + '_ {
-        let members = self.domain.terms(relation);
+    /// What a quantity of a group is for each member that the instance has.
+    pub(super) fn of_members(&self, quantity: Quantity) -> impl Iterator<Item = Quantity> + '_ {
+        let members = self.domain.of_members(quantity);
         let present = members.filter(|(member, _)| member.is_present(self.instance));
-        present.map(|(_, term)| term)
+        present.map(|(_, quantity)| quantity)
     }
 
-    /// The value of a leaf that needs no sample and no pose.
-    pub(super) fn settled(&self, leaf: &Node) -> R {
-        match *leaf {
+    /// The value of a term that is given; NaN for another one.
+    pub(super) fn given(&self, term: &Node) -> R {
+        match *term {
             Node::Number(value) => R::from_f64(value),
-            Node::Attribute(slot) => self.slot(slot),
             Node::Constant(i) => {
                 let constant = self.domain.constants().get(usize::from(i));
                 constant.map_or(R::ZERO, |c| R::from_f64(c.value))
             }
             Node::Area(shape) => self.area(shape),
-            _ => R::unknown(),
+            Node::Quantity(quantity) => quantity.slot().map_or(R::NAN, |slot| self.slot(slot)),
+            Node::Parameter(_)
+            | Node::Extreme(..)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => R::NAN,
         }
     }
 

@@ -4,23 +4,21 @@
 //! Each function calls `visit` instead of returning an iterator: nested iterators of
 //! this kind take a kilobyte of stack, loops next to nothing.
 
-use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Relation};
+use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Quantity};
 
 /// Takes one term after the other.
 pub(super) type Visit<'v> = &'v mut dyn FnMut(Node);
 
-/// Says a term as the grammar does: as it is, or, if it is about a group, as the
+/// Says a quantity as the grammar does: as it is, or, if it is about a group, as the
 /// extremes over it. The first member stands for all.
-fn say(domain: &Domain<'_>, term: Node, visit: Visit<'_>) {
-    let members = domain.members_in(term);
+fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
+    let members = domain.members_in(quantity);
     let mut members = members.iter().flatten();
     match (members.next(), members.next()) {
-        (None, _) => visit(term),
+        (None, _) => visit(Node::Quantity(quantity)),
         (Some(member), None) if member.index == 0 => {
-            if let Some(relation) = Relation::of(term) {
-                for extreme in Extreme::ALL {
-                    visit(Node::Extreme(extreme, relation));
-                }
+            for extreme in Extreme::ALL {
+                visit(Node::Extreme(extreme, quantity));
             }
         }
         _ => {}
@@ -31,7 +29,7 @@ fn say(domain: &Domain<'_>, term: Node, visit: Visit<'_>) {
 pub(super) fn attributes(domain: &Domain<'_>, dimension: Dimension, visit: Visit<'_>) {
     for (index, (_, attribute)) in (0u8..).zip(domain.slots()) {
         if attribute.dimension == dimension {
-            say(domain, Node::Attribute(index), visit);
+            say(domain, Quantity::Attribute(index), visit);
         }
     }
 }
@@ -57,7 +55,7 @@ pub(super) fn coordinates(
         }
         for axis in axes {
             if *axis != Coordinate::Theta || point.turn != [None; 3] {
-                say(domain, Node::Coordinate(*axis, index), visit);
+                say(domain, Quantity::Coordinate(*axis, index), visit);
             }
         }
     }
@@ -77,7 +75,7 @@ fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
             let others = points.clone().take_while(|(b, _)| *b < a);
             for (b, second) in others.filter(|(b, _)| *b != vertex) {
                 if (at.sampled || first.sampled || second.sampled) == sampled {
-                    say(domain, Node::VertexAngle(a, vertex, b), visit);
+                    say(domain, Quantity::VertexAngle(a, vertex, b), visit);
                 }
             }
         }
@@ -106,10 +104,10 @@ pub(super) fn relations(
             }
             let (a, b) = ordered((a, first), (b, second));
             for metric in metrics {
-                say(domain, Node::Distance(*metric, a, b), visit);
+                say(domain, Quantity::Distance(*metric, a, b), visit);
             }
             if angles && first.has_heading() && second.has_heading() {
-                say(domain, Node::Angle(a, b), visit);
+                say(domain, Quantity::Angle(a, b), visit);
             }
         }
     }
@@ -129,5 +127,93 @@ fn ordered((a, first): (u8, &Point<'_>), (b, second): (u8, &Point<'_>)) -> (u8, 
         (b, a)
     } else {
         (a, b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::NodeId;
+    use crate::text::Lexer;
+    use heapless::Vec as Nodes;
+    use std::format;
+    use std::string::{String, ToString};
+    use std::vec::Vec;
+
+    /// With headings and without, a group, a shape, and a parameter.
+    const DOMAINS: [&str; 2] = [
+        "object a { x: length, y: length, z: length, theta: angle }
+         object b { x: length, y: length, z: length, theta: angle } shape b = circle(1)
+         object c[2] { x: length, y: length, z: length, theta: angle }
+         parameter p in [0, 1]: length point q = a turned 1 + (p, 0)",
+        "object a { x: length, y: length } object c[2] { x: length, y: length }
+         parameter p in [0, 1]: length point q = world + (p, 0)",
+    ];
+
+    /// What there is to say, with its dimension.
+    fn said(domain: &Domain<'_>) -> Vec<(Dimension, Node)> {
+        let mut said = Vec::new();
+        for dimension in Dimension::ALL {
+            attributes(domain, dimension, &mut |term| said.push((dimension, term)));
+            for sampled in [false, true] {
+                let mut say = |term| said.push((dimension, term));
+                coordinates(domain, dimension, sampled, &mut say);
+                relations(domain, dimension, sampled, &mut say);
+            }
+        }
+        said
+    }
+
+    fn written(domain: &Domain<'_>, term: Node) -> String {
+        let mut text = String::new();
+        domain
+            .write_expression(&mut text, &[term], NodeId(0))
+            .unwrap();
+        text
+    }
+
+    #[test]
+    fn what_is_said_has_a_text_and_a_dimension() {
+        for domain in DOMAINS {
+            let domain = Domain::parse(domain).unwrap();
+            let said = said(&domain);
+            assert!(said.len() > 30, "{}", said.len());
+            for (dimension, term) in said {
+                let text = written(&domain, term);
+                let mut nodes: Nodes<Node, 1> = Nodes::new();
+                let id = domain.parse_expression(&mut Lexer::new(&text), &mut nodes);
+                assert_eq!(nodes.as_slice(), [term], "{text}");
+                assert_eq!(
+                    domain.dimension(&nodes, id.unwrap()),
+                    Some(dimension),
+                    "{text}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn every_function_of_the_texts_is_said() {
+        let error = Domain::parse("constant c = nothing(1): none")
+            .unwrap_err()
+            .to_string();
+        let (_, functions) = error.split_once("there are ").unwrap();
+        let texts: Vec<_> = DOMAINS
+            .into_iter()
+            .flat_map(|domain| {
+                let domain = Domain::parse(domain).unwrap();
+                let texts = said(&domain)
+                    .into_iter()
+                    .map(|(_, term)| written(&domain, term));
+                texts.collect::<Vec<_>>()
+            })
+            .collect();
+        for function in functions.split(", ") {
+            let call = format!("{function}(");
+            assert!(
+                texts.iter().any(|text| text.starts_with(&call)),
+                "{function}"
+            );
+        }
     }
 }

@@ -62,7 +62,7 @@ impl Observation {
 }
 
 /// How many bytes [`save`] needs for a learner in its present state.
-pub fn saved_len(learner: &impl Learner, problem: &Problem<'_>) -> usize {
+pub fn saved_len(learner: &(impl Learner + ?Sized), problem: &Problem<'_>) -> usize {
     let each = 8 + 8 * problem.domain().parameters().len();
     FRAME + HEADER + each * learner.observations().len()
 }
@@ -72,7 +72,7 @@ pub fn saved_len(learner: &impl Learner, problem: &Problem<'_>) -> usize {
 /// # Errors
 /// [`Error::CapacityExceeded`] if `bytes` is shorter than [`saved_len`].
 pub fn save(
-    learner: &impl Learner,
+    learner: &(impl Learner + ?Sized),
     problem: &Problem<'_>,
     bytes: &mut [u8],
 ) -> Result<usize, Error> {
@@ -102,7 +102,7 @@ pub fn save(
 /// for another problem or configuration, [`Error::CapacityExceeded`] if there is
 /// no room for all observations, [`Error::OutOfSequence`] if the learner is not
 /// fresh: then nothing was told.
-pub fn resume<L: Learner>(
+pub fn resume<L: Learner + ?Sized>(
     learner: &mut L,
     problem: &Problem<'_>,
     bytes: &[u8],
@@ -147,7 +147,7 @@ pub fn resume<L: Learner>(
 }
 
 fn replay(
-    learner: &mut impl Learner,
+    learner: &mut (impl Learner + ?Sized),
     problem: &Problem<'_>,
     saved: &Observation,
 ) -> Result<(), Error> {

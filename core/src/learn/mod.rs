@@ -2,14 +2,62 @@
 //!
 //! A learner never owns the simulator. It is *asked* for a [`Query`], the next
 //! sample to try, and *told* the [`Outcome`]; [`learn_region`] is that loop and
-//! nothing more. So a simulator can be a function, a thread pool, another process
+//! nothing more. So a simulator can be a function, another process
 //! or a robot, and a run can be saved and resumed: everything a learner knows
 //! follows from its configuration and its observations.
 //!
 //! | learner | idea |
 //! |---|---|
-//! | [`Algorithm1`] | the thesis's Algorithm 1: prune `left op right` hypotheses |
-//! | [`VersionSpace`] | sound: keep every explanation of the answers, ask where they disagree |
+//! | [`VersionSpace`], the default | sound: keep every explanation of the answers, ask where they disagree |
+//! | [`Algorithm1`], the baseline | the thesis's Algorithm 1: prune `left op right` hypotheses |
+//!
+//! [`Config`], [`Capacity`], [`Memory`] and [`Report`] are those of the default learner;
+//! those of the baseline are in [`algorithm1`].
+//!
+//! # Words
+//!
+//! | word | meaning |
+//! |---|---|
+//! | query | a sample to try: parameters in an instance |
+//! | outcome | what came of it; a *call* is an outcome that was told |
+//! | observation | a query and its outcome, as they are kept |
+//! | sample | a query whose label is decided: feasible or not |
+//! | form | the difference of two features, which a bound limits |
+//! | hypothesis | a conjunction of bounds; in Algorithm 1 a single comparison |
+//!
+//! # Asking and telling
+//!
+//! ```
+//! use critreg::domain::Domain;
+//! use critreg::learn::{Capacity, Config, Learner, Outcome, Problem, VersionSpace};
+//!
+//! critreg::room!(struct Room: f64, Capacity::new(1024, 64));
+//!
+//! let domain = Domain::parse(
+//!     "object wall { x: length, y: length }
+//!      constant margin = 0.25: length
+//!      parameter reach in [0, 4]: length
+//!      point hand = world + (reach, 0)",
+//! )?;
+//! let problem = Problem::new(&domain, &[2.0, 0.0, 3.0, 0.0], 2)?; // two walls
+//! let config = Config { calls: 60, ..Config::default() };
+//! let mut room = Room::new();
+//! let mut learner = VersionSpace::new(&domain, config, Room::CAPACITY, room.lend())?;
+//! while !learner.is_finished() {
+//!     let query = learner.ask(&problem)?;
+//!     let wall = problem.instance(query.instance)?[0];
+//!     // The hand keeps a distance from the wall.
+//!     let works = query.theta[0] <= wall - 0.25;
+//!     learner.tell(&problem, Outcome::from_feasible(works))?;
+//! }
+//! let region = learner.region()?.display(&domain).to_string();
+//! assert_eq!(region, "reach - wall.x <= -0.25 (-margin)");
+//! let report = learner.report();
+//! assert_eq!((report.calls, report.strays), (60, 0));
+//! // Ten draws from the region worked: with 95% confidence, at least 74% of it works.
+//! assert!(report.certificate.lower_bound > 0.74);
+//! # Ok::<(), critreg::Error>(())
+//! ```
 
 pub mod algorithm1;
 mod log;
@@ -78,7 +126,7 @@ pub trait Learner {
 /// Asks, tries and tells until the learner is finished, and returns the region.
 ///
 /// `simulate` tries a sample; its error ends the learning and is passed on, and
-/// the learner can be asked again afterwards. See [`Algorithm1`] for an example.
+/// the learner can be asked again afterwards. See the [crate] for an example.
 ///
 /// # Errors
 /// Those of [`Learner`] and of `simulate`.

@@ -1,6 +1,6 @@
 //! The tables of a learner are listed once, by a macro that shows the list to another one:
-//! what a table holds, its name, the type of an entry (`R` is the type of numbers), and the
-//! method of the learner's `Capacity` that tells how many entries it has. From that list come
+//! what a table holds, its name, the type of an entry, and the method of the learner's
+//! `Capacity` that tells how many entries it has. From that list come
 //! the `Memory` of the learner, its types that own it, and the layout of the C interface.
 
 /// Declares the `Memory` of a learner.
@@ -32,25 +32,25 @@ macro_rules! memory {
     };
 }
 
-/// Declares a type that owns the memory of a [`VersionSpace`](crate::learn::VersionSpace) of
-/// a certain [`Capacity`](crate::learn::Capacity), as arrays: on the stack, in a static, in a
-/// box.
+/// Declares a type that owns the memory of a [`VersionSpace`](crate::learn::VersionSpace)
+/// with numbers of some type and a certain [`Capacity`](crate::learn::Capacity), as arrays: on
+/// the stack, in a static, in a box.
 ///
 /// ```
 /// use critreg::learn::{Capacity, Config, VersionSpace};
 ///
-/// critreg::room!(pub struct Room, Capacity::new(1024, 128));
+/// critreg::room!(pub struct Room: f64, Capacity::new(1024, 128));
 ///
 /// # let domain = critreg::domain::Domain::parse("parameter x in [0, 1]")?;
-/// let mut room = Room::<f64>::new();
-/// let learner = VersionSpace::new(&domain, Config::default(), Room::<f64>::CAPACITY, room.lend())?;
+/// let mut room = Room::new();
+/// let learner = VersionSpace::new(&domain, Config::default(), Room::CAPACITY, room.lend())?;
 /// # Ok::<(), critreg::Error>(())
 /// ```
 #[macro_export]
 macro_rules! room {
-    ($(#[$meta:meta])* $visible:vis struct $name:ident, $capacity:expr) => {
+    ($(#[$meta:meta])* $visible:vis struct $name:ident: $real:ty, $capacity:expr) => {
         $crate::version_space_tables! {
-            [$crate::__room] {$(#[$meta])*} $visible $name {$capacity}
+            [$crate::__room] $real, {$(#[$meta])*} $visible $name {$real} {$capacity}
         }
     };
 }
@@ -59,31 +59,30 @@ macro_rules! room {
 #[macro_export]
 macro_rules! __room {
     (
-        [{$(#[$meta:meta])*} $visible:vis $name:ident {$capacity:expr}]
+        [{$(#[$meta:meta])*} $visible:vis $name:ident {$real:ty} {$capacity:expr}]
         $($(#[$doc:meta])* $table:ident: $entry:ty, $count:ident;)*
     ) => {
         $(#[$meta])*
-        $visible struct $name<R = f64> {
-            $($table: [$entry; {
-                const CAPACITY: $crate::learn::Capacity = $capacity;
-                CAPACITY.$count()
-            }],)*
+        $visible struct $name {
+            $($table: [$entry; $name::CAPACITY.$count()],)*
         }
 
-        impl<R: $crate::real::Real> $name<R> {
+        impl $name {
             /// What there is room for.
             $visible const CAPACITY: $crate::learn::Capacity = $capacity;
 
             /// Room in which nothing is kept yet.
             $visible const fn new() -> Self {
-                $name { $($table: [const { <$entry as $crate::table::Blank>::BLANK }; {
-                    const CAPACITY: $crate::learn::Capacity = $capacity;
-                    CAPACITY.$count()
-                }],)* }
+                $name {
+                    $($table: [
+                        const { <$entry as $crate::table::Blank>::BLANK };
+                        $name::CAPACITY.$count()
+                    ],)*
+                }
             }
 
             /// The tables, lent to one learner.
-            $visible fn lend(&mut self) -> $crate::learn::Memory<'_, R> {
+            $visible fn lend(&mut self) -> $crate::learn::Memory<'_, $real> {
                 $crate::learn::Memory { $($table: &mut self.$table,)* }
             }
         }

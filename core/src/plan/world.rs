@@ -36,7 +36,7 @@ pub trait World {
     fn execute(
         &mut self,
         operator: &GroundOperator,
-        parameters: &[f32],
+        parameters: &[f64],
         before: &Self::State,
         after: &mut Self::State,
     ) -> Result<u32, Self::Error>;
@@ -67,7 +67,8 @@ pub enum Drawn {
     Parameters(Parameters),
     /// Try these, from where they are expected to work. This is advice.
     Informed(Parameters),
-    /// No parameters work in this state: step back at once. This is advice, too.
+    /// No parameters are expected to work in this state: step back at once. This is
+    /// advice, too.
     Empty(ReasonId),
 }
 
@@ -111,7 +112,7 @@ impl<E: Environment> World for Simulated<'_, E> {
     fn execute(
         &mut self,
         ground: &GroundOperator,
-        parameters: &[f32],
+        parameters: &[f64],
         before: &State,
         after: &mut State,
     ) -> Result<u32, Error> {

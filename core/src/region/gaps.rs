@@ -96,16 +96,20 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
                 self.collect(*a)?;
                 self.collect(*b)
             }
-            Node::Extreme(_, relation) => {
+            Node::Extreme(_, quantity) => {
                 let sample = self.along.sample;
                 let found = self.extremes.iter().any(|(other, _)| *other == id);
                 if found || sample.measure(self.nodes, id).is_known() {
                     return Some(());
                 }
-                let members = sample.member_count(*relation);
+                let members = sample.member_count(*quantity);
                 self.extremes.push((id, members)).ok()
             }
-            _ => Some(()),
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Area(_)
+            | Node::Quantity(_) => Some(()),
         }
     }
 

@@ -108,6 +108,17 @@ impl Region {
         self.formula.write(domain, out)
     }
 
+    /// Its text, to be printed.
+    pub fn display<'d>(&'d self, domain: &'d Domain<'d>) -> impl fmt::Display + 'd {
+        struct Text<'d>(&'d Region, &'d Domain<'d>);
+        impl fmt::Display for Text<'_> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.0.write(self.1, f)
+            }
+        }
+        Text(self, domain)
+    }
+
     /// Its constraints and connectives.
     pub fn formula(&self) -> &Formula {
         &self.formula

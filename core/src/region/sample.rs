@@ -46,9 +46,9 @@ impl<R: Real> Grounded<'_, R> {
     /// satisfies [`Grounded::contains`].
     ///
     /// # Errors
-    /// [`Error::EmptyRegion`] if it is proven that nothing is admitted: drop the
-    /// plan skeleton, or fall back on another sampler. [`Error::NoSample`] if
-    /// nothing was found but emptiness could not be proven.
+    /// [`Error::EmptyRegion`] if it is proven that no parameters are in the region here:
+    /// postpone the plan skeleton, or fall back on another sampler. [`Error::NoSample`]
+    /// if none were found but emptiness could not be proven.
     pub fn sample(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Theta, Error> {
         sample(self, R::ZERO, rng)
     }

@@ -20,7 +20,7 @@ pub use atom::{
 };
 pub use atom_set::{AtomSet, Atoms, MAX_ATOMS};
 pub use controller::{Controller, OfAction, Parameters, Terminal, always};
-pub use environment::{Environment, Failure};
+pub use environment::{Environment, Failure, sample_uniform};
 pub use operator::{ControllerId, GroundOperator, Operator, OperatorId, ground_operators};
 pub use rollout::{Ending, Rollout, rollout, rollout_from};
 pub use state::{MAX_STATE_VALUES, Naming, ObjectId, ObjectName, ObjectType, State, TypeId};

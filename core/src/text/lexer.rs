@@ -181,16 +181,6 @@ impl<'t> Lexer<'t> {
         Failed
     }
 
-    /// Notes what another lexer has noted, if that is an error further on in the text.
-    pub(crate) fn note_further(&mut self, other: &Lexer<'_>) {
-        if let (Some(Error::Syntax(own)), Some(Error::Syntax(noted))) =
-            (self.failure, other.failure)
-            && (noted.line, noted.column) > (own.line, own.column)
-        {
-            self.failure = other.failure;
-        }
-    }
-
     /// What was noted, if something failed.
     ///
     /// # Errors

@@ -1,7 +1,10 @@
 //! Handles: what a C program gets a pointer to, in memory that it lends.
 
 use crate::boundary::pointer;
-use crate::boundary::status::{Failure, Fallible};
+use crate::boundary::status::{
+    CRITREG_BUSY, CRITREG_OK, Failure, Fallible, Message, critreg_status, status_of,
+};
+use core::cell::{Cell, RefCell};
 
 /// A handle carries a seal that depends on its kind and address, so that memory
 /// that is no handle, was retired or was moved is refused.
@@ -66,4 +69,51 @@ pub(crate) unsafe fn open<'a, H: Handle>(handle: *const H) -> Fallible<&'a H> {
     }
     // SAFETY: the seal shows that `put` wrote a handle there.
     Ok(unsafe { &*handle })
+}
+
+/// Runs a call that only reads a handle.
+///
+/// # Safety
+/// As for [`open`].
+pub(crate) unsafe fn read<H: Handle>(
+    handle: *const H,
+    body: impl FnOnce(&H) -> Fallible,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
+    status_of(unsafe { open(handle) }.and_then(body))
+}
+
+/// What the calls that change a handle borrow, one at a time, and the words about the last
+/// one that failed.
+pub(crate) struct Exclusive<T> {
+    inner: RefCell<T>,
+    message: Cell<Option<Failure>>,
+}
+
+impl<T> Exclusive<T> {
+    pub(crate) fn new(inner: T) -> Exclusive<T> {
+        Exclusive {
+            inner: RefCell::new(inner),
+            message: Cell::new(None),
+        }
+    }
+
+    /// Runs a call, unless another one runs already, from which a callback calls back.
+    pub(crate) fn call(&self, body: impl FnOnce(&mut T) -> Fallible) -> critreg_status {
+        let Ok(mut inner) = self.inner.try_borrow_mut() else {
+            return CRITREG_BUSY;
+        };
+        match body(&mut inner) {
+            Ok(()) => CRITREG_OK,
+            Err(failure) => {
+                self.message.set(Some(failure));
+                failure.status()
+            }
+        }
+    }
+
+    /// The words about the last call that failed.
+    pub(crate) fn message(&self) -> Message {
+        Message(self.message.get())
+    }
 }

@@ -73,6 +73,7 @@ impl<T> Part<T> {
 }
 
 /// Counts bytes while parts are put one behind the other.
+#[derive(Clone, Copy)]
 pub(crate) struct Packer {
     pub(crate) size: usize,
 }
@@ -109,6 +110,31 @@ macro_rules! append {
     };
 }
 pub(crate) use append;
+
+/// Declares a struct of parts, and the function that appends them in this order: of each
+/// what is in it, and how many.
+macro_rules! parts {
+    (
+        $(#[$doc:meta])*
+        $name:ident $(<$real:ident>)? with $capacity:ident: $capacities:ty;
+        $($part:ident: $entry:ty, $count:expr;)*
+    ) => {
+        $(#[$doc])*
+        pub(crate) struct $name $(<$real: 'static>)? {
+            $(pub(crate) $part: Part<$entry>,)*
+        }
+
+        impl $(<$real: 'static>)? $name $(<$real>)? {
+            /// `None` if memory cannot be that long.
+            pub(crate) const fn new(packer: &mut Packer, $capacity: $capacities) -> Option<Self> {
+                Some($name {
+                    $($part: append!(packer, $count),)*
+                })
+            }
+        }
+    };
+}
+pub(crate) use parts;
 
 /// Copies a text to the beginning of a room that is at least as long.
 pub(crate) fn copy_text(text: &str, room: &'static mut [u8]) -> Fallible<&'static str> {

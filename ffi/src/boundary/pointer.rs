@@ -37,6 +37,16 @@ pub(crate) unsafe fn slice<'a, T>(
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
 }
 
+/// A pointer to these numbers for a callback; to some number if there are none, because
+/// an empty slice lies nowhere.
+pub(crate) fn to_numbers(numbers: &[f64]) -> *const f64 {
+    static SOME: f64 = 0.0;
+    match numbers {
+        [] => &raw const SOME,
+        _ => numbers.as_ptr(),
+    }
+}
+
 /// The text at a pointer, of at most `longest` bytes with its NUL.
 ///
 /// # Safety
@@ -72,6 +82,18 @@ impl<T> Output<T> {
     pub(crate) unsafe fn new(pointer: *mut T, name: &'static str) -> Fallible<Self> {
         check(pointer, name)?;
         Ok(Output(pointer))
+    }
+
+    /// The same for a result that is not wanted if the pointer is NULL.
+    ///
+    /// # Safety
+    /// As for [`Output::new`].
+    pub(crate) unsafe fn optional(pointer: *mut T, name: &'static str) -> Fallible<Option<Self>> {
+        if pointer.is_null() {
+            return Ok(None);
+        }
+        // SAFETY: by this function's contract.
+        unsafe { Output::new(pointer, name) }.map(Some)
     }
 
     pub(crate) fn write(self, value: T) {

@@ -30,8 +30,9 @@ pub const CRITREG_NOT_FINITE: critreg_status = 5;
 pub const CRITREG_SYNTAX_ERROR: critreg_status = 6;
 /// A table of the library is full: too many objects, constraints, observations.
 pub const CRITREG_CAPACITY_EXCEEDED: critreg_status = 7;
-/// It is proven that the region admits no parameters in this instance: drop the
-/// plan skeleton, or fall back on another sampler.
+/// Proven: no parameters are in the region in this instance. Where the region is right
+/// nothing works here, so postpone the plan skeleton, or drop it; a learned region may
+/// be wrong.
 pub const CRITREG_EMPTY_REGION: critreg_status = 8;
 /// No parameters were found within the budget; the region may be empty.
 pub const CRITREG_NO_SAMPLE: critreg_status = 9;
@@ -73,6 +74,8 @@ pub(crate) enum Failure {
     NotAHandle,
     /// No plan was found; how planning ended.
     NoPlan(&'static str),
+    /// A number is none of those that are expected; what is expected, and the number.
+    Number(&'static str, i32),
     /// The core refused.
     Core(Error),
 }
@@ -99,6 +102,7 @@ impl Failure {
             Failure::Stopped(status, _) => status,
             Failure::NotAHandle => CRITREG_NOT_A_HANDLE,
             Failure::NoPlan(_) => CRITREG_NO_PLAN,
+            Failure::Number(..) => CRITREG_INVALID_ARGUMENT,
             Failure::Core(error) => match error {
                 Error::Syntax(_) => CRITREG_SYNTAX_ERROR,
                 Error::CapacityExceeded(_) => CRITREG_CAPACITY_EXCEEDED,
@@ -124,6 +128,7 @@ impl fmt::Display for Failure {
             Failure::Stopped(status, name) => write!(f, "{name} returned status {status}"),
             Failure::NotAHandle => f.write_str("this is no handle"),
             Failure::NoPlan(how) => write!(f, "no plan: {how}"),
+            Failure::Number(expected, number) => write!(f, "{expected}, not {number}"),
             Failure::Core(error) => error.fmt(f),
         }
     }
@@ -175,7 +180,7 @@ const CODES: [(&CStr, &CStr); 18] = [
     ),
     (
         c"CRITREG_EMPTY_REGION",
-        c"the region is empty in this instance",
+        c"no parameters are in the region in this instance",
     ),
     (
         c"CRITREG_NO_SAMPLE",

@@ -16,24 +16,6 @@ pub(crate) fn known_size(size: usize, first: usize, now: usize) -> Fallible<usiz
     }
 }
 
-/// Fills a struct of the caller, of which `size` bytes are told to exist.
-///
-/// # Safety
-/// If the pointer is not NULL and aligned, `size` bytes are writable.
-pub(crate) unsafe fn init<T: Copy>(
-    target: *mut T,
-    size: usize,
-    first: usize,
-    value: T,
-) -> Fallible {
-    pointer::check(target, "the struct")?;
-    let bytes = known_size(size, first, size_of::<T>())?;
-    let value = MaybeUninit::new(value);
-    // SAFETY: `bytes` is at most the size of the value and of the caller's struct.
-    unsafe { core::ptr::copy_nonoverlapping(value.as_ptr().cast::<u8>(), target.cast(), bytes) };
-    Ok(())
-}
-
 /// A struct of the caller that starts with its size.
 ///
 /// # Safety
@@ -41,6 +23,23 @@ pub(crate) unsafe fn init<T: Copy>(
 pub(crate) unsafe trait Versioned: Copy {
     /// Size of its first version: smaller ones never existed.
     const FIRST: usize;
+}
+
+/// Fills a struct of the caller, which may be an older one of `size` bytes only.
+///
+/// # Safety
+/// If the pointer is not NULL and aligned, `size` bytes are writable.
+pub(crate) unsafe fn init<T: Versioned>(target: *mut T, size: usize, value: T) -> Fallible {
+    pointer::check(target, "the struct")?;
+    let bytes = known_size(size, T::FIRST, size_of::<T>())?;
+    let value = MaybeUninit::new(value);
+    // SAFETY: `bytes` is at most the size of the value and of the caller's struct, which
+    // starts with its size.
+    unsafe {
+        core::ptr::copy_nonoverlapping(value.as_ptr().cast::<u8>(), target.cast(), bytes);
+        target.cast::<u32>().write(bytes as u32);
+    }
+    Ok(())
 }
 
 /// Fills a struct that its init function prepared and that may be an older,
@@ -51,16 +50,12 @@ pub(crate) unsafe trait Versioned: Copy {
 /// many bytes are writable.
 pub(crate) unsafe fn write<T: Versioned>(value: T, target: *mut T, name: &'static str) -> Fallible {
     pointer::check(target, name)?;
-    let size_field = target.cast::<u32>();
-    // SAFETY: checked; the struct starts with its size, which is readable by this
-    // function's contract.
-    let size = unsafe { size_field.read() };
-    // SAFETY: as many bytes are writable by this function's contract.
+    // SAFETY: checked; the struct starts with its size, which is readable, and as many
+    // bytes are writable, by this function's contract.
     unsafe {
-        init(target, size as usize, T::FIRST, value)?;
-        size_field.write(size);
+        let size = target.cast::<u32>().read();
+        init(target, size as usize, value)
     }
-    Ok(())
 }
 
 /// Reads a struct that its init function prepared and that may be an older,

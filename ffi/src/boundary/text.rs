@@ -1,6 +1,6 @@
 //! Text and bytes that go into a buffer of the caller.
 
-use crate::boundary::pointer;
+use crate::boundary::pointer::{self, Output};
 use crate::boundary::status::{Failure, Fallible};
 use core::ffi::c_char;
 use core::fmt;
@@ -34,24 +34,25 @@ fn length_of(text: &dyn fmt::Display) -> usize {
     written.map_or(0, |()| counter.needed())
 }
 
-fn check_buffer<T>(buffer: *mut T, len: usize, needed: *mut usize, name: &'static str) -> Fallible {
+/// Checks a buffer, which may be NULL if its length is 0, and tells how much is needed.
+///
+/// # Safety
+/// If not NULL and aligned, `needed` is writable.
+unsafe fn tell_needed<T>(
+    buffer: *mut T,
+    len: usize,
+    name: &'static str,
+    needed: *mut usize,
+    value: usize,
+) -> Fallible {
     if len > 0 {
         pointer::check(buffer, name)?;
     }
-    if needed.is_null() {
-        Ok(())
-    } else {
-        pointer::check(needed, "needed")
+    // SAFETY: by this function's contract.
+    if let Some(needed) = unsafe { Output::optional(needed, "needed")? } {
+        needed.write(value);
     }
-}
-
-/// # Safety
-/// `needed` is NULL or checked and writable.
-unsafe fn write_needed(needed: *mut usize, value: usize) {
-    if !needed.is_null() {
-        // SAFETY: by this function's contract.
-        unsafe { needed.write(value) }
-    }
+    Ok(())
 }
 
 /// Writes a text with its NUL, or nothing if it does not fit.
@@ -65,14 +66,13 @@ pub(crate) unsafe fn write(
     len: usize,
     needed: *mut usize,
 ) -> Fallible {
-    check_buffer(buffer, len, needed, "text")?;
     let length = length_of(text).saturating_add(1);
-    // SAFETY: just checked; writable by this function's contract.
-    unsafe { write_needed(needed, length) };
+    // SAFETY: by this function's contract.
+    unsafe { tell_needed(buffer, len, "text", needed, length)? };
     if length > len {
         return Err(Failure::TooSmall("the buffer for the text"));
     }
-    // SAFETY: as above.
+    // SAFETY: just checked; writable by this function's contract.
     unsafe { fill(text, buffer, len) };
     Ok(())
 }
@@ -87,10 +87,10 @@ pub(crate) unsafe fn write_cut_off(
     len: usize,
     needed: *mut usize,
 ) -> Fallible {
-    check_buffer(buffer, len, needed, "text")?;
-    // SAFETY: just checked; writable by this function's contract.
+    let length = length_of(text).saturating_add(1);
+    // SAFETY: by this function's contract; the buffer is checked before it is filled.
     unsafe {
-        write_needed(needed, length_of(text).saturating_add(1));
+        tell_needed(buffer, len, "text", needed, length)?;
         fill(text, buffer, len);
     }
     Ok(())
@@ -124,10 +124,9 @@ pub(crate) unsafe fn write_bytes(
     needed: *mut usize,
     save: impl FnOnce(&mut [u8]) -> Fallible<usize>,
 ) -> Fallible {
-    check_buffer(bytes, len, needed, "bytes")?;
+    // SAFETY: by this function's contract.
+    unsafe { tell_needed(bytes, len, "bytes", needed, length)? };
     if length > len {
-        // SAFETY: just checked; writable by this function's contract.
-        unsafe { write_needed(needed, length) };
         return Err(Failure::TooSmall("the buffer for the saved bytes"));
     }
     // SAFETY: `length <= len` bytes are writable by this function's contract; they
@@ -136,8 +135,5 @@ pub(crate) unsafe fn write_bytes(
         core::ptr::write_bytes(bytes, 0, length);
         core::slice::from_raw_parts_mut(bytes, length)
     };
-    save(room)?;
-    // SAFETY: as above.
-    unsafe { write_needed(needed, length) };
-    Ok(())
+    save(room).map(|_| ())
 }

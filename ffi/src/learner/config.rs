@@ -298,8 +298,6 @@ pub unsafe extern "C" fn critreg_config_init(
     config: *mut critreg_config,
     size: usize,
 ) -> critreg_status {
-    let mut value = defaults();
-    value.struct_size = u32::try_from(size).unwrap_or(0);
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(config, size, critreg_config::FIRST, value) })
+    status_of(unsafe { structs::init(config, size, defaults()) })
 }

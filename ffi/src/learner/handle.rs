@@ -1,15 +1,17 @@
 //! A learner in the caller's memory.
 
-use crate::boundary::handle::{self, Handle};
+use crate::boundary::handle::{self, Exclusive, Handle};
 use crate::boundary::pointer;
-use crate::boundary::status::{CRITREG_BUSY, CRITREG_OK, Failure, Fallible, critreg_status};
+use crate::boundary::precision::Precision;
+use crate::boundary::status::{Failure, Fallible, critreg_status};
 use crate::learner::any::AnyLearner;
+use crate::learner::outcome::{self, critreg_outcome};
 use crate::learner::report::{critreg_progress, critreg_report};
 use crate::region::handle::critreg_region;
-use core::cell::{Cell, RefCell};
+use core::cell::Cell;
 use core::ffi::c_void;
 use critreg_core::domain::Domain;
-use critreg_core::learn::{Learner as _, Problem};
+use critreg_core::learn::Problem;
 
 /// A learner. It lies at the start of the memory it was made in.
 pub struct critreg_learner {
@@ -17,14 +19,17 @@ pub struct critreg_learner {
     /// What the last call left behind, also readable from a callback.
     pub(crate) report: Cell<critreg_report>,
     pub(crate) finished: Cell<bool>,
-    pub(crate) message: Cell<Option<Failure>>,
     pub(crate) domain: &'static Domain<'static>,
-    inner: RefCell<Inner>,
+    pub(crate) inner: Exclusive<Inner>,
 }
 
 /// What a call on a learner borrows.
 pub(crate) struct Inner {
-    pub(crate) learner: AnyLearner,
+    pub(crate) learner: &'static mut dyn AnyLearner,
+    /// What it computes with.
+    pub(crate) precision: Precision,
+    /// See [`Capacity::steps`](crate::learner::any::Capacity::steps).
+    pub(crate) steps: Option<usize>,
     /// Room for the handle of the learned region; a part of the caller's memory.
     pub(crate) region: *mut critreg_region,
     pub(crate) progress: critreg_progress,
@@ -40,6 +45,12 @@ impl Inner {
         unsafe { handle::retire(self.region) }
     }
 
+    /// Tells the learner what came of the sample it asked for.
+    pub(crate) fn tell(&mut self, problem: &Problem<'_>, outcome: critreg_outcome) -> Fallible {
+        let outcome = outcome::read(outcome, self.steps)?;
+        Ok(self.learner.tell(problem, outcome)?)
+    }
+
     /// Copies the learned region into its handle. The copy is what makes the handle
     /// refer to no memory that the learner writes to.
     #[inline(never)]
@@ -48,10 +59,10 @@ impl Inner {
         domain: &'static Domain<'static>,
     ) -> Fallible<*const critreg_region> {
         let region = self.learner.region()?;
-        let (precision, support) = (self.learner.precision(), self.learner.evidence());
+        let support = self.learner.evidence();
         // SAFETY: the region's part is reserved for the handle; the header forbids to
         // use the handle while a function runs that may change the learner.
-        unsafe { critreg_region::put(self.region, domain, region, precision, support) };
+        unsafe { critreg_region::put(self.region, domain, region, self.precision, support) };
         Ok(self.region)
     }
 }
@@ -79,11 +90,10 @@ impl critreg_learner {
     ) {
         let made = critreg_learner {
             seal: 0,
-            report: Cell::new(critreg_report::new(&inner.learner)),
+            report: Cell::new(inner.learner.report()),
             finished: Cell::new(inner.learner.is_finished()),
-            message: Cell::new(None),
             domain,
-            inner: RefCell::new(inner),
+            inner: Exclusive::new(inner),
         };
         // SAFETY: by this function's contract.
         unsafe { handle::put(place, made) }
@@ -92,7 +102,7 @@ impl critreg_learner {
     /// Takes over what the inner learner has to report.
     #[inline(never)]
     pub(crate) fn publish(&self, inner: &Inner) {
-        self.report.set(critreg_report::new(&inner.learner));
+        self.report.set(inner.learner.report());
         self.finished.set(inner.learner.is_finished());
     }
 }
@@ -107,21 +117,13 @@ pub(crate) unsafe fn with_learner(
     body: impl FnOnce(&critreg_learner, &mut Inner) -> Fallible,
 ) -> critreg_status {
     // SAFETY: by this function's contract.
-    let handle = match unsafe { handle::open(learner) } {
-        Ok(handle) => handle,
-        Err(failure) => return failure.status(),
-    };
-    let Ok(mut inner) = handle.inner.try_borrow_mut() else {
-        return CRITREG_BUSY;
-    };
-    let result = body(handle, &mut inner);
-    handle.publish(&inner);
-    match result {
-        Ok(()) => CRITREG_OK,
-        Err(failure) => {
-            handle.message.set(Some(failure));
-            failure.status()
-        }
+    match unsafe { handle::open(learner) } {
+        Ok(handle) => handle.inner.call(|inner| {
+            let result = body(handle, inner);
+            handle.publish(inner);
+            result
+        }),
+        Err(failure) => failure.status(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::boundary::handle;
 use crate::boundary::pointer::Output;
-use crate::boundary::status::{Message, critreg_status, status_of};
+use crate::boundary::status::critreg_status;
 use crate::boundary::structs;
 use crate::boundary::text;
 use crate::learner::handle::{critreg_learner, with_learner};
@@ -20,14 +20,13 @@ pub unsafe extern "C" fn critreg_is_finished(
     learner: *const critreg_learner,
     finished: *mut i32,
 ) -> critreg_status {
-    // SAFETY: the header makes it the caller's promise.
-    let answer = unsafe { handle::open(learner) }.and_then(|handle| {
-        // SAFETY: as above.
-        let output = unsafe { Output::new(finished, "finished")? };
-        output.write(i32::from(handle.finished.get()));
-        Ok(())
-    });
-    status_of(answer)
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        handle::read(learner, |handle| {
+            Output::new(finished, "finished")?.write(i32::from(handle.finished.get()));
+            Ok(())
+        })
+    }
 }
 
 /// What is learned so far.
@@ -68,8 +67,9 @@ pub unsafe extern "C" fn critreg_learner_report(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let handle = handle::open(learner);
-        status_of(handle.and_then(|handle| structs::write(handle.report.get(), report, "report")))
+        handle::read(learner, |handle| {
+            structs::write(handle.report.get(), report, "report")
+        })
     }
 }
 
@@ -93,10 +93,8 @@ pub unsafe extern "C" fn critreg_learner_message(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let handle = handle::open(learner);
-        status_of(
-            handle
-                .and_then(|handle| text::write(&Message(handle.message.get()), text, len, needed)),
-        )
+        handle::read(learner, |handle| {
+            text::write(&handle.inner.message(), text, len, needed)
+        })
     }
 }

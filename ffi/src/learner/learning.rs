@@ -3,23 +3,10 @@
 use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::status::{Failure, Fallible, critreg_status, stop_unless_ok};
 use crate::learner::handle::{Inner, critreg_learner, problem, with_learner};
+use crate::learner::outcome::{CRITREG_NO_OUTCOME, critreg_outcome};
 use crate::region::handle::critreg_region;
 use core::ffi::c_void;
-use critreg_core::learn::{Learner as _, Outcome, Problem, Query};
-
-/// What came of an action: CRITREG_FEASIBLE, or the number of the step of an
-/// action sequence that failed, counted from one.
-///
-/// CRITREG_VERSION_SPACE learns what each step needs from the samples that reached
-/// it; the steps before the one that failed worked. It accepts numbers up to
-/// critreg_config.steps. CRITREG_ALGORITHM1 makes no difference between steps.
-pub type critreg_outcome = i32;
-
-/// The action worked.
-pub const CRITREG_FEASIBLE: critreg_outcome = 0;
-/// The action failed; in a sequence of actions, the first one did. Failures of
-/// later steps are 2, 3 and so on.
-pub const CRITREG_INFEASIBLE: critreg_outcome = 1;
+use critreg_core::learn::Query;
 
 /// Whatever can tell whether an action works: a simulator, a motion planner, a
 /// robot.
@@ -29,9 +16,11 @@ pub const CRITREG_INFEASIBLE: critreg_outcome = 1;
 /// it as const; the others return CRITREG_BUSY.
 ///
 /// @param user_data What the program passed to critreg_learn_region().
-/// @param instance The instance: one number per attribute.
-/// @param theta The parameters to try: one number each.
-/// @param outcome Receives what came of it.
+/// @param instance The instance: one number per attribute. Points to a number also
+/// where the domain has no objects.
+/// @param theta The parameters to try: one number each. Points to a number also if
+/// there are none.
+/// @param outcome Receives what came of it; holds CRITREG_NO_OUTCOME, which is refused.
 /// @return CRITREG_OK if there is an outcome. Anything else stops learning and
 /// becomes the status of critreg_learn_region(): CRITREG_CANCELLED, or
 /// CRITREG_USER_STATUS and above. The sample then stays to be tried.
@@ -73,12 +62,12 @@ pub type critreg_simulate = Option<
 /// critreg_learner_region() is.
 /// @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
 /// there is no room for another observation (critreg_learner_region() still has
-/// what was learned) or for so many instances (critreg_config.instances); the status of a callback that was not CRITREG_OK;
-/// CRITREG_INVALID_ARGUMENT for no instance, or an outcome that is negative, was
-/// not written or is a step that the configuration does not have;
-/// CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH
-/// if the instances changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER,
-/// CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+/// what was learned) or for so many instances (critreg_config.instances); the status
+/// of a callback that was not CRITREG_OK; CRITREG_INVALID_ARGUMENT for no instance, or
+/// an outcome that was not written or is none (the sample then stays to be tried);
+/// CRITREG_NOT_FINITE for a number of an instance; CRITREG_MISMATCH if the instances
+/// changed; CRITREG_BUSY from a callback; CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+/// CRITREG_NOT_A_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_learn_region(
     learner: *mut critreg_learner,
@@ -92,28 +81,21 @@ pub unsafe extern "C" fn critreg_learn_region(
     unsafe {
         with_learner(learner, |handle, inner| {
             let simulate = simulate.ok_or(Failure::Null("simulate"))?;
-            if !region.is_null() {
-                pointer::check(region, "region")?;
-            }
+            let output = Output::optional(region, "region")?;
             let problem = problem(handle, instances, count)?;
             inner.retire_region();
             while !inner.learner.is_finished() {
                 let query = inner.learner.ask(&problem)?;
-                let instance = problem.instance(query.instance)?;
-                let mut outcome: critreg_outcome = -1;
-                let status = simulate(
-                    user_data,
-                    instance.as_ptr(),
-                    query.theta.as_ptr(),
-                    &mut outcome,
-                );
+                let instance = pointer::to_numbers(problem.instance(query.instance)?);
+                let mut outcome = CRITREG_NO_OUTCOME;
+                let status = simulate(user_data, instance, query.theta.as_ptr(), &mut outcome);
                 stop_unless_ok(status, "simulate")?;
-                inner.learner.tell(&problem, answer(outcome)?)?;
+                inner.tell(&problem, outcome)?;
                 show_progress(handle, inner)?;
             }
             let learned = inner.give_region(handle.domain)?;
-            if !region.is_null() {
-                region.write(learned);
+            if let Some(output) = output {
+                output.write(learned);
             }
             Ok(())
         })
@@ -134,14 +116,6 @@ fn show_progress(handle: &critreg_learner, inner: &Inner) -> Fallible {
         unsafe { progress(inner.progress_data, &report) },
         "progress",
     )
-}
-
-fn answer(outcome: critreg_outcome) -> Fallible<Outcome> {
-    match u32::try_from(outcome) {
-        Ok(0) => Ok(Outcome::Feasible),
-        Ok(step @ 1..=255) => Ok(Outcome::FailedStep(step as u8)),
-        _ => Err(Failure::invalid("the outcome is negative or was not set")),
-    }
 }
 
 /// Tells which sample to try next. Asking again before telling gives the same one.
@@ -199,8 +173,8 @@ pub unsafe extern "C" fn critreg_ask(
 /// @param count How many there are.
 /// @param outcome What came of the sample.
 /// @return CRITREG_OUT_OF_SEQUENCE if nothing was asked; CRITREG_CAPACITY_EXCEEDED
-/// if there is no room for another observation; CRITREG_INVALID_ARGUMENT for an
-/// outcome that is negative or a step that the configuration does not have; and as
+/// if there is no room for another observation; CRITREG_INVALID_ARGUMENT for a number
+/// that is no outcome, or a step that the configuration does not have; and as
 /// critreg_ask().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_tell(
@@ -212,9 +186,7 @@ pub unsafe extern "C" fn critreg_tell(
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
         with_learner(learner, |handle, inner| {
-            let answer = answer(outcome)?;
-            let problem: Problem<'_> = problem(handle, instances, count)?;
-            inner.learner.tell(&problem, answer)?;
+            inner.tell(&problem(handle, instances, count)?, outcome)?;
             inner.retire_region();
             Ok(())
         })

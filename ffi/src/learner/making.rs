@@ -136,6 +136,8 @@ unsafe fn put(
     unsafe {
         let mut inner = Inner {
             learner: layout.make(memory, domain, config)?,
+            precision: layout.precision,
+            steps: layout.capacity.steps(),
             region: layout.region.place(memory),
             progress: config.progress,
             progress_data: config.progress_data,
@@ -158,13 +160,13 @@ pub unsafe extern "C" fn critreg_learner_instance_len(
     learner: *const critreg_learner,
     len: *mut usize,
 ) -> critreg_status {
-    // SAFETY: the header makes it the caller's promise.
-    let number = unsafe { handle::open(learner) }.and_then(|handle| {
-        // SAFETY: as above.
-        unsafe { Output::new(len, "len") }?.write(handle.domain.instance_len());
-        Ok(())
-    });
-    status_of(number)
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        handle::read(learner, |handle| {
+            Output::new(len, "len")?.write(handle.domain.instance_len());
+            Ok(())
+        })
+    }
 }
 
 /// How many parameters the action has: the length of a sample.
@@ -177,11 +179,11 @@ pub unsafe extern "C" fn critreg_learner_parameter_count(
     learner: *const critreg_learner,
     count: *mut usize,
 ) -> critreg_status {
-    // SAFETY: the header makes it the caller's promise.
-    let number = unsafe { handle::open(learner) }.and_then(|handle| {
-        // SAFETY: as above.
-        unsafe { Output::new(count, "count") }?.write(handle.domain.parameters().len());
-        Ok(())
-    });
-    status_of(number)
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        handle::read(learner, |handle| {
+            Output::new(count, "count")?.write(handle.domain.parameters().len());
+            Ok(())
+        })
+    }
 }

@@ -3,10 +3,11 @@
 //! | module | content |
 //! |---|---|
 //! | [`config`] | what a learner is told to do |
-//! | `any` | the learners of the core behind one type |
+//! | `any` | what all learners of the core have in common for C |
 //! | [`handle`] | a learner in the caller's memory |
-//! | `layout` | where its parts lie |
+//! | `layout`, `tables` | where its parts lie |
 //! | [`making`] | making one |
+//! | [`outcome`] | what came of a trial, as C says it |
 //! | [`learning`] | asking and telling |
 //! | [`inspection`] | what is asked about one: whether it is finished, what it learned |
 //! | [`report`] | how learning went |
@@ -19,5 +20,7 @@ pub mod inspection;
 pub(crate) mod layout;
 pub mod learning;
 pub mod making;
+pub mod outcome;
 pub mod report;
 pub mod saving;
+pub(crate) mod tables;

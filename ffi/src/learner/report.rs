@@ -2,7 +2,6 @@
 
 use crate::boundary::status::{critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
-use crate::learner::any::{AnyLearner, Report};
 use core::ffi::c_void;
 #[cfg(feature = "algorithm1")]
 use critreg_core::learn::algorithm1;
@@ -44,6 +43,8 @@ pub struct critreg_report {
     pub feasible: u64,
     /// Samples that were infeasible.
     pub infeasible: u64,
+    /// Samples that were put aside, because their outcome is CRITREG_UNKNOWN.
+    pub unknown: u64,
     /// CRITREG_VERSION_SPACE: samples that the region is wrong about; see
     /// critreg_config.slack.
     pub strays: u64,
@@ -76,6 +77,7 @@ const EMPTY: critreg_report = critreg_report {
     calls: 0,
     feasible: 0,
     infeasible: 0,
+    unknown: 0,
     strays: 0,
     constraints_left_out: 0,
     certificate_draws: 0,
@@ -98,16 +100,8 @@ pub type critreg_progress = Option<
 >;
 
 impl critreg_report {
-    pub(crate) fn new(learner: &AnyLearner) -> Self {
-        match learner.report() {
-            #[cfg(feature = "algorithm1")]
-            Report::Algorithm1(report) => Self::of_algorithm1(&report),
-            Report::VersionSpace(report) => Self::of_version_space(&report),
-        }
-    }
-
     #[cfg(feature = "algorithm1")]
-    fn of_algorithm1(report: &algorithm1::Report) -> Self {
+    pub(crate) fn of_algorithm1(report: &algorithm1::Report) -> Self {
         let counted = |count: Option<usize>| count.map_or(CRITREG_NOT_RUN, |n| n as u64);
         critreg_report {
             enumerated: report.enumeration.enumerated,
@@ -121,12 +115,13 @@ impl critreg_report {
             infeasible: report
                 .calls
                 .saturating_sub(report.feasible + report.unknown) as u64,
+            unknown: report.unknown as u64,
             constraints_left_out: report.constraints_left_out as u64,
             ..EMPTY
         }
     }
 
-    fn of_version_space(report: &version_space::Report) -> Self {
+    pub(crate) fn of_version_space(report: &version_space::Report) -> Self {
         critreg_report {
             enumerated: report.forms.saturating_add(report.forms_left_out) as u64,
             kept: report.forms as u64,
@@ -135,6 +130,7 @@ impl critreg_report {
             calls: report.calls as u64,
             feasible: report.feasible as u64,
             infeasible: report.infeasible as u64,
+            unknown: report.unknown as u64,
             strays: report.strays as u64,
             constraints_left_out: report.constraints_left_out as u64,
             certificate_draws: report.certificate.draws.into(),
@@ -155,8 +151,6 @@ pub unsafe extern "C" fn critreg_report_init(
     report: *mut critreg_report,
     size: usize,
 ) -> critreg_status {
-    let mut value = EMPTY;
-    value.struct_size = u32::try_from(size).unwrap_or(0);
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(report, size, critreg_report::FIRST, value) })
+    status_of(unsafe { structs::init(report, size, EMPTY) })
 }

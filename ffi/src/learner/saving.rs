@@ -33,9 +33,9 @@ pub unsafe extern "C" fn critreg_learner_save(
     unsafe {
         with_learner(learner, |handle, inner| {
             let problem = problem(handle, instances, count)?;
-            let length = learn::saved_len(&inner.learner, &problem);
+            let length = learn::saved_len(&*inner.learner, &problem);
             text::write_bytes(length, bytes, len, needed, |bytes| {
-                Ok(learn::save(&inner.learner, &problem, bytes)?)
+                Ok(learn::save(&*inner.learner, &problem, bytes)?)
             })
         })
     }
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn critreg_learner_resume(
             let problem = problem(handle, instances, count)?;
             let bytes = pointer::slice(bytes, len, "bytes")?;
             inner.retire_region();
-            Ok(learn::resume(&mut inner.learner, &problem, bytes)?)
+            Ok(learn::resume(&mut *inner.learner, &problem, bytes)?)
         })
     }
 }

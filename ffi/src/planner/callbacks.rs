@@ -69,8 +69,7 @@ pub struct critreg_draw {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct critreg_drawn {
-    /// The parameters, within their ranges; hold NAN. The planner rounds them to
-    /// single precision.
+    /// The parameters, within their ranges; hold NAN. execute gets just these.
     pub parameters: [f64; CRITREG_MAX_PARAMETERS],
     /// 1 if the parameters are from where they are expected to work, such as a
     /// learned region; holds 0.
@@ -151,14 +150,14 @@ pub type critreg_holds = Option<
 >;
 
 /// Draws the parameters of a step, for instance with critreg_sample_regions().
-/// Asked for operators without parameters, too: it may know that they cannot work.
+/// Asked for operators without parameters, too: it may expect that they do not work.
 ///
 /// @param user_data What the program passed to critreg_plan().
 /// @param draw The step to draw for.
 /// @param rng Random numbers. They follow from the seed of critreg_plan().
 /// @param drawn Receives the parameters, or why there are none.
-/// @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters work in this state,
-/// upon which an earlier step is tried again; or what shall stop planning.
+/// @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters are expected to work in
+/// this state, upon which an earlier step is tried again; or what shall stop planning.
 pub type critreg_sample = Option<
     unsafe extern "C" fn(
         user_data: *mut c_void,
@@ -249,8 +248,6 @@ pub unsafe extern "C" fn critreg_callbacks_init(
     callbacks: *mut critreg_callbacks,
     size: usize,
 ) -> critreg_status {
-    let mut value = NOTHING;
-    value.struct_size = u32::try_from(size).unwrap_or(0);
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(callbacks, size, critreg_callbacks::FIRST, value) })
+    status_of(unsafe { structs::init(callbacks, size, NOTHING) })
 }

@@ -76,7 +76,7 @@ pub struct critreg_planner_config {
     /// How many nodes are expanded and samples drawn with advice: what advise
     /// postpones, what sample draws from a region or finds to be empty. If there is
     /// no plan by then, planning begins anew without any, and so do the limits
-    /// above. So wrong advice costs at most so much, but never a plan. Default 1024.
+    /// above. So wrong advice costs at most so much, but never a plan. Default 256.
     pub patience: u32,
     /// Bytes to have room for in the domain and problem text together, their NULs
     /// included. Default CRITREG_DEFAULT_PDDL_BYTES.
@@ -207,9 +207,6 @@ pub unsafe extern "C" fn critreg_planner_config_init(
     config: *mut critreg_planner_config,
     size: usize,
 ) -> critreg_status {
-    let mut value = defaults();
-    value.struct_size = u32::try_from(size).unwrap_or(0);
-    let first = critreg_planner_config::FIRST;
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(config, size, first, value) })
+    status_of(unsafe { structs::init(config, size, defaults()) })
 }

@@ -1,12 +1,10 @@
 //! A planner in the caller's memory.
 
-use crate::boundary::handle::{self, Handle};
-use crate::boundary::status::{
-    CRITREG_BUSY, CRITREG_OK, Failure, Fallible, Message, critreg_status,
-};
+use crate::boundary::handle::{self, Exclusive, Handle};
+use crate::boundary::status::{Fallible, critreg_status};
 use crate::planner::metrics::critreg_metrics;
 use crate::planner::tables::Tables;
-use core::cell::{Cell, RefCell};
+use core::cell::Cell;
 use core::fmt;
 use critreg_core::pddl::Problem;
 use critreg_core::plan;
@@ -17,11 +15,10 @@ pub struct critreg_planner {
     seal: usize,
     /// What the last call left behind, also readable from a callback.
     pub(crate) metrics: Cell<critreg_metrics>,
-    message: Cell<Option<Failure>>,
     /// The atom that the last failure is about, if it is one.
     pub(crate) culprit: Cell<Option<GroundAtom>>,
     problem: &'static Problem<'static>,
-    inner: RefCell<Inner>,
+    inner: Exclusive<Inner>,
 }
 
 /// What a call on a planner borrows.
@@ -52,10 +49,9 @@ impl critreg_planner {
         let made = critreg_planner {
             seal: 0,
             metrics: Cell::new(critreg_metrics::NONE),
-            message: Cell::new(None),
             culprit: Cell::new(None),
             problem: tables.problem,
-            inner: RefCell::new(Inner {
+            inner: Exclusive::new(Inner {
                 tables,
                 settings,
                 plan_length: 0,
@@ -76,19 +72,9 @@ pub(crate) unsafe fn with_planner(
     body: impl FnOnce(&critreg_planner, &mut Inner) -> Fallible,
 ) -> critreg_status {
     // SAFETY: by this function's contract.
-    let handle = match unsafe { handle::open(planner) } {
-        Ok(handle) => handle,
-        Err(failure) => return failure.status(),
-    };
-    let Ok(mut inner) = handle.inner.try_borrow_mut() else {
-        return CRITREG_BUSY;
-    };
-    match body(handle, &mut inner) {
-        Ok(()) => CRITREG_OK,
-        Err(failure) => {
-            handle.message.set(Some(failure));
-            failure.status()
-        }
+    match unsafe { handle::open(planner) } {
+        Ok(handle) => handle.inner.call(|inner| body(handle, inner)),
+        Err(failure) => failure.status(),
     }
 }
 
@@ -98,7 +84,7 @@ pub(crate) struct Words<'a>(pub(crate) &'a critreg_planner);
 impl fmt::Display for Words<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Words(handle) = self;
-        Message(handle.message.get()).fmt(f)?;
+        handle.inner.message().fmt(f)?;
         match handle.culprit.get() {
             Some(atom) => write!(f, ": {}", handle.problem.atom_text(&atom)),
             None => Ok(()),

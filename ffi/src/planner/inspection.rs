@@ -2,7 +2,7 @@
 
 use crate::boundary::handle;
 use crate::boundary::pointer::Output;
-use crate::boundary::status::{Failure, critreg_status, status_of};
+use crate::boundary::status::{Failure, critreg_status};
 use crate::boundary::structs;
 use crate::planner::handle::{Inner, critreg_planner, with_planner};
 use crate::planner::metrics::critreg_metrics;
@@ -21,10 +21,9 @@ pub unsafe extern "C" fn critreg_planner_metrics(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let handle = handle::open(planner);
-        status_of(
-            handle.and_then(|handle| structs::write(handle.metrics.get(), metrics, "metrics")),
-        )
+        handle::read(planner, |handle| {
+            structs::write(handle.metrics.get(), metrics, "metrics")
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where the parts of a planner lie in its memory.
 
-use crate::boundary::memory::{self, Packer, Part, append};
+use crate::boundary::memory::{self, Packer, Part, append, parts};
 use crate::boundary::status::Fallible;
 use crate::planner::callbacks::{CRITREG_MAX_REASONS, critreg_ground};
 use crate::planner::config::PlannerCapacity;
@@ -16,29 +16,35 @@ use critreg_core::task::{Arguments, AtomSet, GroundAtom, GroundOperator, Operato
 /// Most atoms of `:init`.
 pub(crate) const MAX_FACTS: usize = 512;
 
-/// The parts of a planner.
+parts! {
+    /// The parts of a planner.
+    PlannerParts with capacity: PlannerCapacity;
+    handle: critreg_planner, 1;
+    domain: Domain<'static>, 1;
+    problem: Problem<'static>, 1;
+    grounding: Grounding<'static, 'static>, 1;
+    names: Names, 1;
+    ranges: Ranges, MAX_ACTIONS;
+    states: f64, capacity.numbers();
+    operators: GroundOperator, capacity.operators;
+    estimates: Cached, capacity.estimates();
+    nodes: SearchNode, capacity.nodes;
+    open: Waiting, capacity.nodes;
+    steps: Step<Numbers>, capacity.length;
+    sequence: Cell<critreg_ground>, capacity.length;
+    failures: u32, MAX_ACTIONS;
+    reasons: u32, CRITREG_MAX_REASONS as usize;
+    progress: Progress, capacity.operators;
+    links: u16, capacity.links();
+    facts: GroundAtom, MAX_FACTS;
+    texts: u8, capacity.pddl_bytes;
+    name_bytes: u8, capacity.pddl_bytes;
+}
+
+/// Where the parts of a planner lie, and how long they are together.
 pub(crate) struct PlannerLayout {
-    pub(crate) handle: Part<critreg_planner>,
+    pub(crate) parts: PlannerParts,
     capacity: PlannerCapacity,
-    domain: Part<Domain<'static>>,
-    problem: Part<Problem<'static>>,
-    grounding: Part<Grounding<'static, 'static>>,
-    names: Part<Names>,
-    ranges: Part<Ranges>,
-    states: Part<f64>,
-    operators: Part<GroundOperator>,
-    estimates: Part<Cached>,
-    nodes: Part<SearchNode>,
-    open: Part<Waiting>,
-    steps: Part<Step<Numbers>>,
-    sequence: Part<Cell<critreg_ground>>,
-    failures: Part<u32>,
-    reasons: Part<u32>,
-    progress: Part<Progress>,
-    links: Part<u16>,
-    facts: Part<GroundAtom>,
-    texts: Part<u8>,
-    name_bytes: Part<u8>,
     pub(crate) size: usize,
 }
 
@@ -48,30 +54,14 @@ impl PlannerLayout {
             return None;
         }
         let mut packer = Packer { size: 0 };
-        Some(PlannerLayout {
-            handle: append!(packer, 1),
-            capacity,
-            domain: append!(packer, 1),
-            problem: append!(packer, 1),
-            grounding: append!(packer, 1),
-            names: append!(packer, 1),
-            ranges: append!(packer, MAX_ACTIONS),
-            states: append!(packer, capacity.numbers()),
-            operators: append!(packer, capacity.operators),
-            estimates: append!(packer, capacity.estimates()),
-            nodes: append!(packer, capacity.nodes),
-            open: append!(packer, capacity.nodes),
-            steps: append!(packer, capacity.length),
-            sequence: append!(packer, capacity.length),
-            failures: append!(packer, MAX_ACTIONS),
-            reasons: append!(packer, CRITREG_MAX_REASONS as usize),
-            progress: append!(packer, capacity.operators),
-            links: append!(packer, capacity.links()),
-            facts: append!(packer, MAX_FACTS),
-            texts: append!(packer, capacity.pddl_bytes),
-            name_bytes: append!(packer, capacity.pddl_bytes),
-            size: packer.size,
-        })
+        match PlannerParts::new(&mut packer, capacity) {
+            Some(parts) => Some(PlannerLayout {
+                parts,
+                capacity,
+                size: packer.size,
+            }),
+            None => None,
+        }
     }
 
     /// Reads the texts and prepares everything for planning.
@@ -87,32 +77,33 @@ impl PlannerLayout {
         // SAFETY: by this function's contract; the parts do not overlap.
         unsafe {
             let problem = self.read(memory, domain, problem)?;
-            let place = self.grounding.place(memory);
+            let place = self.parts.grounding.place(memory);
             place.write(Grounding::new(problem)?);
             let grounding = &*place;
-            let name_bytes = self.name_bytes.fill(memory, 0);
-            let names = self.names.place(memory);
+            let name_bytes = self.parts.name_bytes.fill(memory, 0);
+            let names = self.parts.names.place(memory);
             names.write(Names::new(problem, name_bytes)?);
-            let mut states = self.states.fill(memory, 0.0);
+            let mut states = self.parts.states.fill(memory, 0.0);
             let mut state = || take(&mut states, self.capacity.state_len);
             Ok(Tables {
                 problem,
                 grounding,
                 names: &*names,
-                ranges: self.ranges.fill(memory, Ranges::default()),
+                ranges: self.parts.ranges.fill(memory, Ranges::default()),
                 operators: self.ground(memory, grounding)?,
-                progress: self.progress.fill(memory, Progress::default()),
-                links: self.links.fill(memory, 0),
-                estimates: self.estimates.fill(memory, Cached::default()),
-                nodes: self.nodes.fill(memory, SearchNode::default()),
-                open: self.open.fill(memory, Waiting::default()),
+                progress: self.parts.progress.fill(memory, Progress::default()),
+                links: self.parts.links.fill(memory, 0),
+                estimates: self.parts.estimates.fill(memory, Cached::default()),
+                nodes: self.parts.nodes.fill(memory, SearchNode::default()),
+                open: self.parts.open.fill(memory, Waiting::default()),
                 initial: state(),
-                steps: self.steps.fill_with(memory, || step(state())),
+                steps: self.parts.steps.fill_with(memory, || step(state())),
                 sequence: self
+                    .parts
                     .sequence
                     .fill_with(memory, || Cell::new(critreg_ground::NONE)),
-                failures: self.failures.fill(memory, 0),
-                reasons: self.reasons.fill(memory, 0),
+                failures: self.parts.failures.fill(memory, 0),
+                reasons: self.parts.reasons.fill(memory, 0),
             })
         }
     }
@@ -131,15 +122,15 @@ impl PlannerLayout {
         // SAFETY: by this function's contract; the parts do not overlap. What they
         // hold needs no drop, so what was there may be lost.
         unsafe {
-            let room = self.texts.fill(memory, 0);
+            let room = self.parts.texts.fill(memory, 0);
             let (first, rest) = room.split_at_mut_checked(domain.len() + 1).ok_or(FULL)?;
             let second = rest.get_mut(..=problem.len()).ok_or(FULL)?;
             let domain_text = memory::copy_text(domain, first)?;
             let problem_text = memory::copy_text(problem, second)?;
-            let domain = self.domain.place(memory);
+            let domain = self.parts.domain.place(memory);
             domain.write(Domain::parse(domain_text)?);
-            let facts = self.facts.fill(memory, GroundAtom::default());
-            let place = self.problem.place(memory);
+            let facts = self.parts.facts.fill(memory, GroundAtom::default());
+            let place = self.parts.problem.place(memory);
             place.write(Problem::parse(&*domain, problem_text, facts)?);
             Ok(&*place)
         }
@@ -163,7 +154,7 @@ impl PlannerLayout {
             delete_effects: AtomSet::EMPTY,
         };
         // SAFETY: by this function's contract.
-        let room = unsafe { self.operators.fill(memory, none) };
+        let room = unsafe { self.parts.operators.fill(memory, none) };
         let mut count = 0;
         for operator in grounding.operators() {
             *room.get_mut(count).ok_or(FULL)? = operator;

@@ -110,7 +110,7 @@ unsafe fn init(
     // SAFETY: the memory was checked for NULL, alignment and length; the caller
     // lends it to this planner alone, and the parts of a layout do not overlap.
     unsafe {
-        let place = layout.handle.place(memory);
+        let place = layout.parts.handle.place(memory);
         // If this fails, a planner that was here before is one no more.
         handle::retire(place);
         let tables = layout.make(memory, domain, problem)?;
@@ -188,7 +188,8 @@ pub unsafe extern "C" fn critreg_planner_message(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let handle = handle::open(planner);
-        status_of(handle.and_then(|handle| text::write(&Words(handle), text, len, needed)))
+        handle::read(planner, |handle| {
+            text::write(&Words(handle), text, len, needed)
+        })
     }
 }

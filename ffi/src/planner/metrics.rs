@@ -166,8 +166,6 @@ pub unsafe extern "C" fn critreg_metrics_init(
     metrics: *mut critreg_metrics,
     size: usize,
 ) -> critreg_status {
-    let mut value = critreg_metrics::NONE;
-    value.struct_size = u32::try_from(size).unwrap_or(0);
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(metrics, size, critreg_metrics::FIRST, value) })
+    status_of(unsafe { structs::init(metrics, size, critreg_metrics::NONE) })
 }

@@ -1,6 +1,6 @@
 //! Planning, and what comes of it.
 
-use crate::boundary::pointer;
+use crate::boundary::pointer::{self, Output};
 use crate::boundary::status::{Failure, Fallible, critreg_status};
 use crate::planner::callbacks::critreg_callbacks;
 use crate::planner::handle::{Inner, critreg_planner, with_planner};
@@ -61,9 +61,7 @@ pub unsafe extern "C" fn critreg_plan(
             let tables = &mut inner.tables;
             let state_len = tables.initial.len();
             let initial = pointer::slice(initial, state_len, "initial")?;
-            if !length.is_null() {
-                pointer::check(length, "length")?;
-            }
+            let length = Output::optional(length, "length")?;
             for (slot, number) in tables.initial.iter_mut().zip(initial) {
                 *slot = *number;
             }
@@ -72,7 +70,7 @@ pub unsafe extern "C" fn critreg_plan(
                 handle.metrics.set(critreg_metrics::STOPPED);
             }
             result?;
-            if !length.is_null() {
+            if let Some(length) = length {
                 length.write(inner.plan_length);
             }
             Ok(())

@@ -47,10 +47,8 @@ const NO_STEP: critreg_step = critreg_step {
 /// size is smaller than the struct ever was, or larger than this library knows.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_step_init(step: *mut critreg_step, size: usize) -> critreg_status {
-    let mut value = NO_STEP;
-    value.struct_size = u32::try_from(size).unwrap_or(0);
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(step, size, critreg_step::FIRST, value) })
+    status_of(unsafe { structs::init(step, size, NO_STEP) })
 }
 
 /// A step of the plan that the last critreg_plan() found.
@@ -91,7 +89,7 @@ impl Inner {
             ..NO_STEP
         };
         for (value, own) in step.parameters.iter_mut().zip(&found.parameters) {
-            *value = f64::from(*own);
+            *value = *own;
         }
         Ok(step)
     }

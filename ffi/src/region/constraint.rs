@@ -1,10 +1,11 @@
 //! The constraints of a region, one by one.
 
+use crate::boundary::handle;
 use crate::boundary::pointer::Output;
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
 use crate::boundary::text;
-use crate::region::handle::{critreg_region, with_region};
+use crate::region::handle::critreg_region;
 use core::ffi::c_char;
 use core::fmt;
 use critreg_core::grammar::Constraint;
@@ -106,7 +107,7 @@ pub unsafe extern "C" fn critreg_region_constraint_count(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             let constraints = handle.region.formula().constraints();
             Output::new(count, "count")?.write(constraints.len());
             Ok(())
@@ -124,10 +125,8 @@ pub unsafe extern "C" fn critreg_constraint_init(
     constraint: *mut critreg_constraint,
     size: usize,
 ) -> critreg_status {
-    let mut value = UNKNOWN;
-    value.struct_size = u32::try_from(size).unwrap_or(0);
     // SAFETY: the header makes it the caller's promise.
-    status_of(unsafe { structs::init(constraint, size, critreg_constraint::FIRST, value) })
+    status_of(unsafe { structs::init(constraint, size, UNKNOWN) })
 }
 
 /// What supports a constraint of a region.
@@ -158,7 +157,7 @@ pub unsafe extern "C" fn critreg_region_constraint(
         unsafe { structs::write(known.unwrap_or(UNKNOWN), constraint, "constraint") }
     };
     // SAFETY: as above.
-    unsafe { with_region(region, fill) }
+    unsafe { handle::read(region, fill) }
 }
 
 /// Writes a constraint of a region as text, with the name of its bound in brackets
@@ -228,5 +227,5 @@ unsafe fn write(
         unsafe { text::write(&shown, text, len, needed) }
     };
     // SAFETY: as above.
-    unsafe { with_region(region, shown) }
+    unsafe { handle::read(region, shown) }
 }

@@ -3,7 +3,7 @@
 use crate::boundary::handle::{self, Handle};
 use crate::boundary::pointer;
 use crate::boundary::precision::Precision;
-use crate::boundary::status::{Fallible, critreg_status, status_of};
+use crate::boundary::status::Fallible;
 use core::fmt;
 use critreg_core::domain::Domain;
 use critreg_core::grammar::MAX_CONSTRAINTS;
@@ -97,16 +97,4 @@ impl fmt::Display for critreg_region {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.region.write(self.domain, f)
     }
-}
-
-/// Runs a call on a region.
-///
-/// # Safety
-/// As for [`handle::open`].
-pub(crate) unsafe fn with_region(
-    region: *const critreg_region,
-    body: impl FnOnce(&critreg_region) -> Fallible,
-) -> critreg_status {
-    // SAFETY: by this function's contract.
-    status_of(unsafe { handle::open(region) }.and_then(body))
 }

@@ -5,7 +5,7 @@ use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::precision::{Precision, in_precision};
 use crate::boundary::rng::{critreg_rng, with_rng};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
-use crate::region::handle::{critreg_region, with_region};
+use crate::region::handle::critreg_region;
 use critreg_core::Error;
 use critreg_core::real::Real;
 use critreg_core::region::{Intersection, Part, Theta};
@@ -29,7 +29,7 @@ pub unsafe extern "C" fn critreg_region_contains(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             let output = Output::new(inside, "inside")?;
             let count = handle.domain.parameters().len();
             let theta = pointer::slice(theta, count, "theta")?;
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn critreg_region_intervals(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             let count = Output::new(count, "count")?;
             if capacity > 0 {
                 pointer::check(ends, "ends")?;
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn critreg_region_is_empty(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             let output = Output::new(empty, "empty")?;
             let empty = in_precision!(handle.precision, R => {
                 handle.ground::<R>(instance)?.is_proven_empty()?
@@ -133,7 +133,7 @@ pub unsafe extern "C" fn critreg_region_is_empty(
 /// double theta[1];
 /// switch (critreg_sample_region(region, instance, &rng, theta)) {
 /// case CRITREG_OK:           return try_action(theta);
-/// case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+/// case CRITREG_EMPTY_REGION: return postpone_this_skeleton();
 /// default:                   return try_action_with_any_parameters();
 /// }
 /// ```
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn critreg_region_is_empty(
 /// @param instance The instance: one number per attribute.
 /// @param rng The generator, which moves on, also if no parameters are found.
 /// @param theta Receives the parameters: one number each. NULL if there are none.
-/// @return CRITREG_EMPTY_REGION if it is proven that there are none,
+/// @return CRITREG_EMPTY_REGION if it is proven that the region has none here,
 /// CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_NOT_FINITE,
 /// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
 #[unsafe(no_mangle)]
@@ -154,7 +154,7 @@ pub unsafe extern "C" fn critreg_sample_region(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             let count = handle.domain.parameters().len();
             let output = OutputArray::new(theta, count, "theta")?;
             let (region, domain) = (&handle.region, handle.domain);
@@ -224,14 +224,14 @@ unsafe fn parts<'a>(
 /// which parameters of the first action the last one works. It is put into as many
 /// instances as the plan skeleton has last actions, one for each button that is
 /// going to be pressed, and the intersection is known before anything is tried: if
-/// it is empty, so is the hope for the skeleton.
+/// it is empty, the skeleton contradicts what was learned.
 ///
 /// ```c
 /// const critreg_region *regions[] = {pick, pick_and_press, pick_and_press};
 /// const double *instances[] = {now, with_first_button, with_second_button};
 /// switch (critreg_sample_regions(regions, instances, 3, &rng, theta)) {
 /// case CRITREG_OK:           return try_action(theta);
-/// case CRITREG_EMPTY_REGION: return prune_this_skeleton();
+/// case CRITREG_EMPTY_REGION: return postpone_this_skeleton();
 /// default:                   return try_action_with_any_parameters();
 /// }
 /// ```
@@ -244,8 +244,8 @@ unsafe fn parts<'a>(
 /// @param count How many regions there are, from 1 to CRITREG_MAX_REGIONS.
 /// @param rng The generator, which moves on, also if no parameters are found.
 /// @param theta Receives the parameters: one number each. NULL if there are none.
-/// @return CRITREG_EMPTY_REGION if it is proven that there are none,
-/// CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_MISMATCH if the
+/// @return CRITREG_EMPTY_REGION if it is proven that the regions have none in common
+/// here, CRITREG_NO_SAMPLE if none were found within the budget; CRITREG_MISMATCH if the
 /// regions have other parameters; CRITREG_CAPACITY_EXCEEDED for too many regions;
 /// CRITREG_INVALID_ARGUMENT for no region; CRITREG_NOT_FINITE,
 /// CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.

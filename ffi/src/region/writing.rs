@@ -1,9 +1,10 @@
 //! Writing a region as text or bytes, and what its domain is like.
 
+use crate::boundary::handle;
 use crate::boundary::pointer::Output;
 use crate::boundary::status::critreg_status;
 use crate::boundary::text;
-use crate::region::handle::{critreg_region, with_region};
+use crate::region::handle::critreg_region;
 use core::ffi::c_char;
 
 /// Writes a region with its domain as bytes: versioned, checksummed, the same on
@@ -33,7 +34,7 @@ pub unsafe extern "C" fn critreg_region_save(
         }
     };
     // SAFETY: as above.
-    unsafe { with_region(region, save) }
+    unsafe { handle::read(region, save) }
 }
 
 /// Writes a region as text. Reading that text with the same domain gives the same
@@ -54,7 +55,7 @@ pub unsafe extern "C" fn critreg_region_format(
     needed: *mut usize,
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
-    unsafe { with_region(region, |handle| text::write(handle, text, len, needed)) }
+    unsafe { handle::read(region, |handle| text::write(handle, text, len, needed)) }
 }
 
 /// How many numbers an instance has: one per attribute of every object of the
@@ -70,7 +71,7 @@ pub unsafe extern "C" fn critreg_region_instance_len(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             Output::new(len, "len")?.write(handle.domain.instance_len());
             Ok(())
         })
@@ -89,7 +90,7 @@ pub unsafe extern "C" fn critreg_region_parameter_count(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        with_region(region, |handle| {
+        handle::read(region, |handle| {
             Output::new(count, "count")?.write(handle.domain.parameters().len());
             Ok(())
         })

@@ -2,7 +2,7 @@
 
 use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
-use crate::learner::learning::{CRITREG_FEASIBLE, CRITREG_INFEASIBLE, critreg_outcome};
+use crate::learner::outcome::{CRITREG_FEASIBLE, CRITREG_INFEASIBLE, critreg_outcome};
 use core::ffi::{c_char, c_void};
 use critreg_core::Error;
 use critreg_core::env::stick_button::StickButton;

@@ -8,7 +8,7 @@ use critreg::random::generator;
 use critreg::region::{Region, SavedRegion};
 use critreg::text::TextBuffer;
 
-critreg::room!(struct Room, Capacity::new(1024, 128));
+critreg::room!(struct Room: f64, Capacity::new(1024, 128));
 
 /// The texts come from outside, so that nothing is decided at compile time.
 ///
@@ -40,7 +40,7 @@ fn run(text: &str, seed: u64) -> Result<bool, Error> {
         ..Config::default()
     };
     let mut bytes = [0; 8192];
-    let mut learned = learn::<f64>(&domain, &problem, config, &environment, &mut bytes)?;
+    let mut learned = learn(&domain, &problem, config, &environment, &mut bytes)?;
     let mut out = [0; 4096];
     let mut buffer = TextBuffer::new(&mut out);
     learned
@@ -60,16 +60,15 @@ fn run(text: &str, seed: u64) -> Result<bool, Error> {
     Ok(grounded.contains(used)? && !empty && other.first() != theta.get(1))
 }
 
-fn learn<R: critreg::real::Real>(
+fn learn(
     domain: &Domain<'_>,
     problem: &Problem<'_>,
     config: Config,
     environment: &StickButton,
     bytes: &mut [u8],
 ) -> Result<Region, Error> {
-    let mut room = Room::<R>::new();
-    let capacity = Room::<R>::CAPACITY;
-    let mut learner = VersionSpace::new(domain, config, capacity, room.lend())?;
+    let mut room = Room::new();
+    let mut learner = VersionSpace::new(domain, config, Room::CAPACITY, room.lend())?;
     let _ = resume(&mut learner, problem, bytes);
     let learned = learn_region(&mut learner, problem, |_, query| {
         environment.try_pick(problem.instance(query.instance)?, &query.theta)

@@ -3,24 +3,17 @@
 //!
 //! How often the learners find the true region:
 //! `report -- <what> [--seeds N] [--calls N] [--instances N]`.
+//!
+//! How much the numbers matter that decide what is learned:
+//! `report -- sensitivity [--seeds N] [--first N] [--only <part of a name>]`.
 
-use critreg::Error;
-use critreg::domain::Domain;
-use critreg::learn::{Algorithm1, Learner, Outcome, Problem};
-use critreg::random::{generator, uniform};
-use critreg::region::Region;
-use critreg_tests::report::{self, Run, Scenario, Statistics, Truth};
-use critreg_tests::room::{Algorithm1Room, VersionSpaceRoom};
-use critreg_tests::{pick, text};
+use critreg_tests::report::{self, Run, Scenario, Statistics};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n       report \
      <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
-     [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]";
-
-/// The learners that are compared.
-const LEARNERS: [&str; 2] = ["algorithm1", "version_space"];
+     [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]\n       report \
+     sensitivity [--seeds N] [--first N] [--only <part of a name>]";
 
 struct Options {
     scenario: Scenario,
@@ -44,16 +37,32 @@ fn main() -> ExitCode {
             return ExitCode::SUCCESS;
         }
     }
-    match options() {
-        Some(options) => {
-            run_all(&options);
-            ExitCode::SUCCESS
-        }
+    let done = sensitivity().or_else(|| options().as_ref().map(print));
+    match done {
+        Some(()) => ExitCode::SUCCESS,
         None => {
             eprintln!("{USAGE}");
             ExitCode::FAILURE
         }
     }
+}
+
+/// Prints the report about numbers, if it is asked for.
+fn sensitivity() -> Option<()> {
+    let mut arguments = std::env::args().skip(1);
+    arguments.next().filter(|name| name == "sensitivity")?;
+    let (mut seeds, mut first, mut only) = (20, 0, String::new());
+    while let Some(flag) = arguments.next() {
+        let value = arguments.next()?;
+        match flag.as_str() {
+            "--seeds" => seeds = value.parse().ok()?,
+            "--first" => first = value.parse().ok()?,
+            "--only" => only = value,
+            _ => return None,
+        }
+    }
+    report::sensitivity(seeds, first, &only);
+    Some(())
 }
 
 /// The seeds of a report about planning, if it is asked for.
@@ -101,130 +110,31 @@ fn options() -> Option<Options> {
     Some(options)
 }
 
-fn run_all(options: &Options) {
-    let next = AtomicUsize::new(0);
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let mut all: Vec<(usize, [Run; 2])> = std::thread::scope(|scope| {
-        let work = || {
-            let mut done = Vec::new();
-            loop {
-                let index = next.fetch_add(1, Ordering::Relaxed);
-                if index >= options.seeds {
-                    return done;
-                }
-                if index > 0 && index.is_multiple_of(100) {
-                    eprintln!("{} of {} seeds", index, options.seeds);
-                }
-                done.push((
-                    index,
-                    run_seed(&options.scenario, options.first + index as u64),
-                ));
-            }
-        };
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        let done = workers.into_iter().map(|w| w.join().expect("a worker"));
-        done.flatten().collect()
+fn print(options: &Options) {
+    let Options {
+        scenario, first, ..
+    } = options;
+    let all = report::for_seeds(options.seeds, 100, |index| {
+        report::run_seed(scenario, first + index as u64)
     });
-    all.sort_by_key(|(index, _)| *index);
-    for (place, learner) in LEARNERS.into_iter().enumerate() {
-        let runs: Vec<Run> = all.iter().map(|(_, runs)| runs[place].clone()).collect();
+    for (place, learner) in report::LEARNERS.into_iter().enumerate() {
+        let runs: Vec<Run> = all.iter().map(|runs| runs[place].clone()).collect();
         if options.list {
             for (index, run) in runs.iter().enumerate().filter(|(_, r)| !r.score.is_exact()) {
-                let seed = options.first + index as u64;
+                let seed = first + index as u64;
                 eprintln!("{learner} {seed} {run:?}");
-                if options.scenario.name == "synthetic" {
+                if scenario.name == "synthetic" {
                     eprintln!("truth {seed} {:?}", report::synthetic(seed).truth);
                 }
             }
         }
-        println!("report: {}", options.scenario.name);
+        println!("report: {}", scenario.name);
         let statistics = Statistics {
             learner,
-            instances: options.scenario.instances,
-            calls: options.scenario.calls,
+            instances: scenario.instances,
+            calls: scenario.calls,
             runs: &runs,
         };
         statistics.print();
     }
-}
-
-fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
-    // A synthetic problem is another one for every seed.
-    let fresh = (scenario.name == "synthetic").then(|| report::synthetic(seed));
-    let scenario = fresh.as_ref().unwrap_or(scenario);
-    let truth = Truth::new(scenario, seed);
-    let instances = scenario.draw(seed, scenario.instances);
-    let domain = &scenario.domain;
-    let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
-    let mut room = Algorithm1Room::new(20_000, scenario.calls as usize + 2);
-    let (capacity, mut config) = (room.capacity, pick::config(seed));
-    config.iterations = scenario.calls.saturating_sub(2);
-    let baseline = match Algorithm1::new(domain, config, capacity, room.lend()) {
-        Ok(learner) => run(learner, scenario, &problem, &truth, seed),
-        // It knows only actions with parameters.
-        Err(_) => Run::default(),
-    };
-    let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
-    let learner = room.learner(domain, scenario.config(seed));
-    let learner = learner.expect("enough room");
-    [baseline, run(learner, scenario, &problem, &truth, seed)]
-}
-
-fn run<L: Learner>(
-    mut learner: L,
-    scenario: &Scenario,
-    problem: &Problem<'_>,
-    truth: &Truth,
-    seed: u64,
-) -> Run {
-    let domain = problem.domain();
-    let used = domain.parameters().len();
-    let mut flips = generator(seed ^ 0xF11B);
-    // The regions on the way, each with the number of answers it took.
-    let mut regions: Vec<(u32, Option<Region>)> = Vec::new();
-    for calls in 1.. {
-        if learner.is_finished() {
-            break;
-        }
-        let query = learner.ask(problem).expect("not finished");
-        let instance = problem.instance(query.instance).expect("an instance");
-        let mut answer = scenario.judge(instance, &query.theta[..used]);
-        if uniform(&mut flips) < scenario.noise {
-            answer = Outcome::from_feasible(!answer.is_feasible());
-        }
-        learner.tell(problem, answer).expect("room for the answer");
-        let region = match learner.region() {
-            Ok(region) => Some(region.clone()),
-            Err(Error::NoRegion) => None,
-            Err(error) => panic!("{error}"),
-        };
-        if regions.last().is_none_or(|(_, last)| *last != region) {
-            regions.push((calls, region));
-        }
-    }
-    let last = regions.last().and_then(|(_, region)| region.clone());
-    let Some(last) = last else {
-        return Run::default();
-    };
-    let score = truth.full_score(domain, &last);
-    Run {
-        region: Some(text::of_region(domain, &last)),
-        score,
-        calls_to_exact: calls_to_exact(domain, truth, &regions).filter(|_| score.is_exact()),
-    }
-}
-
-/// After how many answers all regions were exact, judged in fewer instances.
-fn calls_to_exact(
-    domain: &Domain<'_>,
-    truth: &Truth,
-    regions: &[(u32, Option<Region>)],
-) -> Option<u32> {
-    const TASKS: usize = 25;
-    let exact = |region: &Option<Region>| {
-        let region = region.as_ref();
-        region.is_some_and(|region| truth.score(domain, region, TASKS).is_exact())
-    };
-    let backwards = regions.iter().rev().take_while(|(_, region)| exact(region));
-    backwards.last().map(|(calls, _)| *calls)
 }

@@ -40,13 +40,13 @@ macro_rules! room {
 }
 
 critreg::version_space_tables! {
-    [room] {
+    [room] R, {
         /// Memory for a version space learner of some capacity.
     } VersionSpaceRoom version_space
 }
 
 critreg::algorithm1_tables! {
-    [room] {
+    [room] R, {
         /// Memory for Algorithm 1 of some capacity.
     } Algorithm1Room algorithm1
 }

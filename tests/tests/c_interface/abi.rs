@@ -1,7 +1,7 @@
 //! The C interface keeps its promises when it is used wrongly, exports what the
 //! header declares and nothing else, and can be used from several files.
 
-use crate::support::{BOTH, compile, library_directory, root, run};
+use crate::support::{BOTH, Language, compile, compiler, library_directory, root, run, scratch};
 use critreg::env::stick_button::StickButton;
 use critreg::plan::{Conclusion, Config, Planner, Unguided};
 use critreg::random::generator;
@@ -9,8 +9,10 @@ use critreg::task::Environment;
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::{Grounding, Room};
 use std::collections::BTreeSet;
+use std::env;
 use std::fmt::Write as _;
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 /// Compiles and runs a program of `tests/c` in both languages.
@@ -28,8 +30,24 @@ fn wrong_memory_texts_and_configurations() {
 }
 
 #[test]
-fn wrong_handles_instances_and_answers() {
+fn wrong_handles_and_instances() {
     passes("misuse_learner", &["misuse_learner.c"]);
+}
+
+#[test]
+fn wrong_outcomes() {
+    passes("misuse_outcomes", &["misuse_outcomes.c"]);
+}
+
+#[test]
+fn a_bool_says_what_works() {
+    passes("bool", &["bool.c"]);
+    let source = root().join("tests/c/bool.cpp");
+    run(&mut Command::new(compile(
+        "bool_cpp",
+        &[source],
+        Language::Cpp17,
+    )));
 }
 
 #[test]
@@ -50,6 +68,11 @@ fn wrong_planners() {
 #[test]
 fn wrong_planning() {
     passes("misuse_planning", &["misuse_planning.c"]);
+}
+
+#[test]
+fn parameters_as_they_were_drawn() {
+    passes("parameters", &["parameters.c"]);
 }
 
 #[test]
@@ -121,7 +144,7 @@ fn planned_by_the_core(seed: u64) -> String {
         }
         line.push(')');
         for parameter in &step.parameters {
-            write!(line, " {}", parameter.to_bits()).unwrap();
+            write!(line, " {}", (*parameter as f32).to_bits()).unwrap();
         }
     }
     line + "\n"
@@ -143,15 +166,8 @@ fn declared() -> BTreeSet<String> {
     names.collect()
 }
 
-#[test]
-fn the_library_exports_what_the_header_declares() {
-    let declared = declared();
-    assert!(declared.len() > 50, "{declared:?}");
-    let library = library_directory().join("libcritreg_ffi.so");
-    if !library.exists() {
-        // Another system than Linux, which names and inspects libraries its own way.
-        return;
-    }
+/// What a shared object exports.
+fn exported(library: &Path) -> BTreeSet<String> {
     let output = run(Command::new("nm")
         .args(["-D", "--defined-only"])
         .arg(library));
@@ -159,8 +175,68 @@ fn the_library_exports_what_the_header_declares() {
     let names = listing
         .lines()
         .filter_map(|line| line.split_whitespace().last());
-    let exported: BTreeSet<_> = names.map(String::from).collect();
-    assert_eq!(exported, declared);
+    names.map(String::from).collect()
+}
+
+/// Another system than Linux names, makes and inspects libraries its own way.
+#[test]
+#[cfg(target_os = "linux")]
+fn the_library_exports_what_the_header_declares() {
+    let declared = declared();
+    assert!(declared.len() > 50, "{declared:?}");
+    let library = library_directory().join("libcritreg.so");
+    assert_eq!(exported(&library), declared);
+}
+
+/// A shared object that has the static library inside exports the functions of the header
+/// and its own, and nothing of Rust.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_plug_in_exports_what_the_header_declares() {
+    let plug_in = scratch().join("plug_in.so");
+    let (include, source) = (root().join("include"), root().join("tests/c/plug_in.c"));
+    run(Command::new(compiler("CC", "cc"))
+        .args(["-shared", "-fPIC", "-I"])
+        .args([&include, &source])
+        .arg(library_directory().join("libcritreg.a"))
+        .args(["-lm", "-Wl,--no-undefined", "-o"])
+        .arg(&plug_in));
+    let mut expected = declared();
+    expected.insert("plug_in_learn".into());
+    assert_eq!(exported(&plug_in), expected);
+}
+
+/// There may be another library in Rust in the same program, in front or behind.
+#[test]
+#[cfg(target_os = "linux")]
+fn another_rust_library_does_not_clash() {
+    const OTHER: &str = r#"
+        #[unsafe(no_mangle)]
+        pub extern "C" fn other_sum(count: u32) -> u32 {
+            let numbers: Vec<u32> = (0..count).collect();
+            println!("sum of {numbers:?}");
+            numbers.iter().sum()
+        }
+    "#;
+    let (source, other) = (scratch().join("other.rs"), scratch().join("libother.a"));
+    fs::write(&source, OTHER).unwrap();
+    let rustc = env::var("RUSTC").unwrap_or("rustc".into());
+    run(Command::new(rustc)
+        .args(["--edition=2024", "-O", "-Clto=fat", "-Cpanic=abort"])
+        .args(["--crate-type=staticlib", "-o"])
+        .args([&other, &source]));
+    let program = scratch().join("beside_rust");
+    let own = library_directory().join("libcritreg.a");
+    for libraries in [[&own, &other], [&other, &own]] {
+        run(Command::new(compiler("CC", "cc"))
+            .arg("-I")
+            .args([root().join("include"), root().join("tests/c/beside_rust.c")])
+            .args(libraries)
+            // What std needs, which is in the other one.
+            .args(["-lpthread", "-ldl", "-lm", "-lgcc_s", "-o"])
+            .arg(&program));
+        run(&mut Command::new(&program));
+    }
 }
 
 /// Every function is called by the programs above.

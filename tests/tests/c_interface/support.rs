@@ -24,28 +24,32 @@ pub(crate) fn scratch() -> &'static Path {
     Path::new(env!("CARGO_TARGET_TMPDIR"))
 }
 
-/// The directory with the release build of the library, which is also the one that
-/// `make -C c_examples` uses: it is built once.
+/// The directory with the library that `make -C c_examples` builds, links and installs.
 pub(crate) fn library_directory() -> &'static Path {
     static DIRECTORY: OnceLock<PathBuf> = OnceLock::new();
     DIRECTORY.get_or_init(|| {
+        let examples = root().join("c_examples");
         let target = scratch().parent().expect("it is in the target directory");
-        let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-        cargo.args(["build", "--quiet", "--release", "--package", "critreg-ffi"]);
-        cargo.arg("--manifest-path").arg(root().join("Cargo.toml"));
-        cargo.arg("--target-dir").arg(target);
-        // Settings of the test build, such as sanitizers, do not belong here.
-        run(cargo
+        run(Command::new("make")
+            .args(["--silent", "-C"])
+            .arg(&examples)
+            .arg("library")
+            .env("CARGO_TARGET_DIR", target)
+            // Settings of the test build, such as sanitizers, do not belong here.
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
             .env_remove("RUSTFLAGS"));
-        target.join("release")
+        examples.join("build/lib")
     })
+}
+
+/// The compiler that an environment variable names, or this one.
+pub(crate) fn compiler(variable: &str, default: &str) -> String {
+    env::var(variable).unwrap_or(String::from(default))
 }
 
 /// Compiles a program from source files with warnings as errors, links it with
 /// the static library and returns its path.
 pub(crate) fn compile(name: &str, sources: &[PathBuf], language: Language) -> PathBuf {
-    let compiler = |variable, default| env::var(variable).unwrap_or(String::from(default));
     let mut command = match language {
         Language::C99 => Command::new(compiler("CC", "cc")),
         Language::Cpp17 => Command::new(compiler("CXX", "c++")),
@@ -54,7 +58,7 @@ pub(crate) fn compile(name: &str, sources: &[PathBuf], language: Language) -> Pa
         Language::C99 => command.arg("-std=c99"),
         Language::Cpp17 => command.args(["-std=c++17", "-x", "c++"]),
     };
-    let library = library_directory().join("libcritreg_ffi.a");
+    let library = library_directory().join("libcritreg.a");
     let program = scratch().join(format!("{name}_{language:?}"));
     command
         .args(["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-g"])
@@ -64,7 +68,7 @@ pub(crate) fn compile(name: &str, sources: &[PathBuf], language: Language) -> Pa
         // What follows is no source file.
         .args(["-x", "none"])
         .arg(library)
-        .args(["-lpthread", "-ldl", "-lm", "-o"])
+        .args(["-lm", "-o"])
         .arg(&program);
     run(&mut command);
     program

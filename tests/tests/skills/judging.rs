@@ -293,7 +293,7 @@ fn works(
     places.iter().all(|place| {
         let ground = &operators[usize::from(*place)];
         let operator = Cover.operator(ground).unwrap();
-        let click = [choose(ground, &state) as f32];
+        let click = [choose(ground, &state)];
         let outcome = try_operator(&Cover, operator, ground.objects.as_slice(), &click, &state);
         let worked = outcome.is_feasible();
         state = outcome.state;

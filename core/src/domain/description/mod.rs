@@ -28,8 +28,10 @@ impl<'t> Domain<'t> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Syntax`] with line and column, [`Error::CapacityExceeded`] if
-    /// there are more things than the `MAX_` constants of this module allow.
+    /// [`Error::Syntax`] with line and column, also if the text ends without an attribute
+    /// of an object and without a parameter, because there is nothing to learn then;
+    /// [`Error::CapacityExceeded`] if there are more things than the `MAX_` constants of
+    /// this module allow.
     pub fn parse(text: &'t str) -> Result<Domain<'t>, Error> {
         let mut domain = Domain::empty();
         domain.read(text)?;
@@ -80,6 +82,11 @@ impl DomainParser<'_, '_> {
                 ));
             }
         }
+        if self.domain.instance_len() == 0 && self.domain.parameters.is_empty() {
+            return Err(self
+                .lexer
+                .fail("expected an object with an attribute, or a parameter"));
+        }
         Ok(())
     }
 }
@@ -109,6 +116,11 @@ mod tests {
                 24,
             ),
             ("banana", 1, 1),
+            // Nothing to learn about.
+            ("", 1, 1),
+            ("# nothing\n", 2, 1),
+            ("type block { x: length } constant c = 1: length", 1, 48),
+            ("object a { }", 1, 13),
         ];
         for (text, line, column) in cases {
             let Err(Error::Syntax(at)) = Domain::parse(text) else {

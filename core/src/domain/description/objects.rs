@@ -1,6 +1,6 @@
 //! Statements that declare types and objects, single ones and groups.
 
-use super::parser::{DomainParser, KEYWORDS};
+use super::parser::{DomainParser, is_word};
 use crate::domain::declarations::PoseSlots;
 use crate::domain::{Attribute, Base, Group, Member, Object, Type};
 use crate::text::{Failed, Token, split_at_dot};
@@ -10,7 +10,7 @@ impl<'t> DomainParser<'_, 't> {
     pub(super) fn type_statement(&mut self) -> Result<(), Failed> {
         let at = self.lexer.place();
         let name = self.lexer.expect_name("expected the name of the type")?;
-        if split_at_dot(name).is_some() || KEYWORDS.contains(&name) {
+        if split_at_dot(name).is_some() || is_word(name) {
             return Err(self.lexer.fail_at(
                 at,
                 "a type has a plain name that is no word of the language",

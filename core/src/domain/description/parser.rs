@@ -1,11 +1,13 @@
 //! What the statements of a domain text are made of: names, dimensions and terms.
 
+use crate::domain::expression::is_reserved;
 use crate::domain::node::{copy, intern};
 use crate::domain::{Dimension, Domain, Node, NodeId};
 use crate::text::{Failed, Lexer, split_at_dot};
 use heapless::Vec;
 
-pub(super) const KEYWORDS: [&str; 22] = [
+/// The words of statements and formulas.
+const KEYWORDS: [&str; 13] = [
     "type",
     "object",
     "constant",
@@ -19,16 +21,12 @@ pub(super) const KEYWORDS: [&str; 22] = [
     "or",
     "not",
     "true",
-    "pi",
-    "dist",
-    "dist_x",
-    "dist_y",
-    "dist_z",
-    "angle",
-    "area",
-    "min",
-    "max",
 ];
+
+/// Whether a name is a word of the language.
+pub(super) fn is_word(name: &str) -> bool {
+    KEYWORDS.contains(&name) || is_reserved(name)
+}
 
 /// Most terms of one expression for an offset, turn, size or value.
 const MAX_TERMS: usize = 32;
@@ -63,16 +61,15 @@ impl<'t> DomainParser<'_, 't> {
         } else {
             parser.expression(&mut self.lexer)?
         };
-        let simple = |n: &Node| {
-            !matches!(
-                n,
-                Node::Coordinate(..)
-                    | Node::Distance(..)
-                    | Node::Angle(..)
-                    | Node::VertexAngle(..)
-                    | Node::Area(_)
-                    | Node::Extreme(..)
-            )
+        let simple = |node: &Node| match node {
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => true,
+            Node::Quantity(quantity) => quantity.slot().is_some(),
+            Node::Area(_) | Node::Extreme(..) => false,
         };
         if !nodes.iter().all(simple) {
             return Err(self.lexer.fail_at(
@@ -92,7 +89,7 @@ impl<'t> DomainParser<'_, 't> {
     pub(super) fn new_name(&mut self, what: &'static str, dotted: bool) -> Result<&'t str, Failed> {
         let at = self.lexer.place();
         let name = self.lexer.expect_name(what)?;
-        if KEYWORDS.contains(&name) {
+        if is_word(name) {
             return Err(self.lexer.fail_at(at, "this is a word of the language"));
         }
         // It begins with no dot, or it would be no name.

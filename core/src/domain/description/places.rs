@@ -1,8 +1,7 @@
 //! Statements that place things: shapes and points.
 
 use super::parser::DomainParser;
-use crate::domain::node::{TermError, intern, node_at};
-use crate::domain::{Base, Dependence, Dimension, Domain, Member, Node, NodeId, Point, Shape};
+use crate::domain::{Base, Dependence, Dimension, Member, Node, NodeId, Point, Shape};
 use crate::text::{Failed, Place, split_at_dot};
 
 /// Where a shape starts, has its middle and ends along an axis of its object.
@@ -300,21 +299,9 @@ impl<'t> DomainParser<'_, 't> {
         index: u8,
     ) -> Result<[Option<NodeId>; 3], Failed> {
         for id in components.iter_mut().flatten() {
-            let moved = self.domain.of_member(*id, index);
+            let moved = self.domain.term_of_member(*id, index);
             *id = moved.map_err(|full| self.lexer.note(full.into()))?;
         }
         Ok(components)
-    }
-}
-
-impl Domain<'_> {
-    /// A term about the first member of a group, for another member.
-    fn of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, TermError> {
-        let node = node_at(&self.nodes, id)?;
-        let term = match node.operands() {
-            Some((a, b, make)) => make(self.of_member(a, index)?, self.of_member(b, index)?),
-            None => self.for_member(node, index),
-        };
-        intern(&mut self.nodes, term)
     }
 }

@@ -2,7 +2,10 @@
 
 mod parser;
 mod properties;
+mod words;
 mod writer;
 
 pub use parser::MAX_DEPTH;
 pub use properties::Dependence;
+pub(super) use properties::parameter_bit;
+pub(super) use words::is_reserved;

@@ -1,20 +1,21 @@
 //! Reads expressions.
 
 use super::properties::product_dimension;
-use crate::domain::node::{intern, named};
-use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, NodeId, Relation};
+use super::words::{self, Function, UNKNOWN_FUNCTION};
+use crate::domain::node::intern;
+use crate::domain::{Dimension, Domain, Extreme, Node, NodeId, Quantity};
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Place, Token, split_at_last_dot};
 use heapless::VecView;
 
-/// Deepest nesting of an expression, so that walking one has bounded stack.
+/// Deepest nesting of an expression, and of a formula around it, so that walking one has
+/// bounded stack.
 pub const MAX_DEPTH: u8 = 12;
 
+const _: () = assert!(MAX_DEPTH == 12, "errors name it");
+
 impl Domain<'_> {
-    /// Reads an expression from a text: sums, differences and products of
-    /// numbers, constants, attributes, parameters, coordinates of points,
-    /// `dist(a, b)`, `dist_x`, `dist_y`, `dist_z`, `angle(a, b)`, `angle(a, b, c)` and `area(o)`, and
-    /// `min(...)` or `max(...)` of one of these that is about the members of a group.
+    /// Reads an expression, which is `expr` in the [grammar](crate::domain#the-domain-text).
     ///
     /// # Errors
     /// [`Error::Syntax`] with line and column, also for unknown names and for
@@ -137,14 +138,13 @@ impl ExpressionParser<'_, '_, '_> {
     fn leaf(&self, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
         let at = lexer.place();
         if let Token::Name(name) = lexer.token()
-            && let Some(extreme) = Extreme::from_name(name)
+            && let Some(extreme) = words::extreme(name)
         {
             lexer.advance();
             return self.extreme(extreme, lexer);
         }
         let term = self.term(lexer)?;
-        let members = self.domain.members_in(term);
-        let mut groups = members.iter().flatten().map(|member| member.group);
+        let mut groups = self.groups_of(term.quantity());
         if groups.any(|group| self.own != Some(group)) {
             return Err(lexer.fail_at(at, "only min(...) or max(...) can be about a group"));
         }
@@ -156,14 +156,13 @@ impl ExpressionParser<'_, '_, '_> {
         let at = lexer.place();
         let term = self.term(lexer)?;
         lexer.expect(")", "expected `)`")?;
-        let relation = Relation::of(term).ok_or_else(|| {
+        let quantity = term.quantity().ok_or_else(|| {
             lexer.fail_at(
                 at,
                 "min and max are of an attribute, a coordinate, a distance or an angle",
             )
         })?;
-        let members = self.domain.members_in(term);
-        let mut groups = members.iter().flatten().map(|member| member.group);
+        let mut groups = self.groups_of(Some(quantity));
         let first = groups.next();
         if first.is_none() {
             return Err(lexer.fail_at(at, "min and max are over a group, and here is none"));
@@ -171,7 +170,13 @@ impl ExpressionParser<'_, '_, '_> {
         if groups.any(|group| Some(group) != first) {
             return Err(lexer.fail_at(at, "min and max are over one group, and here are two"));
         }
-        Ok(Node::Extreme(extreme, relation))
+        Ok(Node::Extreme(extreme, quantity))
+    }
+
+    /// The groups that a quantity is about.
+    fn groups_of(&self, quantity: Option<Quantity>) -> impl Iterator<Item = u8> {
+        let members = quantity.map_or([None; 3], |own| self.domain.members_in(own));
+        members.into_iter().flatten().map(|member| member.group)
     }
 
     fn term(&self, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
@@ -194,33 +199,41 @@ impl ExpressionParser<'_, '_, '_> {
     }
 
     fn call(&self, name: &str, at: Place, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
-        if name == "area" {
-            let place = lexer.place();
-            let object = lexer.expect_name("expected the name of an object")?;
-            let shape = self.domain.find_shape(object);
-            return shape
-                .map(Node::Area)
-                .ok_or_else(|| lexer.fail_at(place, "no `shape` is declared for this object"));
+        match words::function(name) {
+            None => Err(lexer.fail_at(at, UNKNOWN_FUNCTION)),
+            Some(Function::OfPoints(two, three)) => self.of_points(two, three, lexer),
+            Some(Function::Area) => self.area(lexer),
+            Some(Function::Extreme(_)) => {
+                Err(lexer.fail_at(at, "min and max cannot be of each other"))
+            }
         }
-        let metric = named(&Metric::NAMED, name);
-        if metric.is_none() && name != "angle" {
-            return Err(lexer.fail_at(at, match Extreme::from_name(name) {
-                Some(_) => "min and max cannot be of each other",
-                None => {
-                    "unknown function; there are dist, dist_x, dist_y, dist_z, angle, area, min, max"
-                }
-            }));
-        }
+    }
+
+    /// Two points or three, of which it is one quantity or the other.
+    fn of_points(
+        &self,
+        two: Option<Quantity>,
+        three: Option<Quantity>,
+        lexer: &mut Lexer<'_>,
+    ) -> Result<Node, Failed> {
         let a = self.point(lexer)?;
         lexer.expect(",", "expected `,` and a second point")?;
         let b = self.point(lexer)?;
-        if let Some(metric) = metric {
-            return Ok(Node::Distance(metric, a, b));
-        }
-        if lexer.accept(",") {
-            return Ok(Node::VertexAngle(a, b, self.point(lexer)?));
-        }
-        Ok(Node::Angle(a, b))
+        let (example, c) = match (two, three) {
+            (_, Some(three)) if lexer.accept(",") => (three, self.point(lexer)?),
+            (Some(two), _) => (two, b),
+            (None, _) => return Err(lexer.fail("expected `,` and a third point")),
+        };
+        Ok(Node::Quantity(example.with_points([a, b, c])))
+    }
+
+    fn area(&self, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
+        let at = lexer.place();
+        let object = lexer.expect_name("expected the name of an object")?;
+        let shape = self.domain.find_shape(object);
+        shape
+            .map(Node::Area)
+            .ok_or_else(|| lexer.fail_at(at, "no `shape` is declared for this object"))
     }
 
     fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Failed> {
@@ -237,14 +250,18 @@ impl ExpressionParser<'_, '_, '_> {
             .find_parameter(name)
             .map(Node::Parameter)
             .or_else(|| domain.find_constant(name).map(Node::Constant))
-            .or_else(|| domain.find_slot(name).map(Node::Attribute));
-        if name == "pi" {
+            .or_else(|| {
+                let slot = domain.find_slot(name)?;
+                Some(Node::Quantity(Quantity::Attribute(slot)))
+            });
+        if name == words::PI {
             return leaf.or(Some(Node::Number(core::f64::consts::PI)));
         }
         leaf.or_else(|| {
             let (point, coordinate) = split_at_last_dot(name)?;
-            let coordinate = named(&Coordinate::NAMED, coordinate)?;
-            Some(Node::Coordinate(coordinate, domain.find_point(point)?))
+            let coordinate = words::coordinate(coordinate)?;
+            let point = domain.find_point(point)?;
+            Some(Node::Quantity(Quantity::Coordinate(coordinate, point)))
         })
     }
 
@@ -261,6 +278,7 @@ fn deeper(lexer: &mut Lexer<'_>, depth: u8) -> Result<u8, Failed> {
     if depth < MAX_DEPTH {
         Ok(depth + 1)
     } else {
-        Err(lexer.fail("the expression is nested too deeply or too long"))
+        Err(lexer
+            .fail("the expression is nested deeper than 12; brackets and operators in a row count"))
     }
 }

@@ -1,7 +1,7 @@
 //! What an expression measures, what it depends on, and its value if that is known.
 
 use crate::domain::node::node_at;
-use crate::domain::{Coordinate, Dimension, Domain, Node, NodeId};
+use crate::domain::{Coordinate, Dimension, Domain, Node, NodeId, Quantity};
 
 /// What an expression depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,14 +20,9 @@ impl Domain<'_> {
         match node_at(nodes, id).ok()? {
             Node::Number(_) => None,
             Node::Constant(i) => self.constants().get(usize::from(i)).map(|c| c.dimension),
-            Node::Attribute(i) => self.slot(i).map(|(_, a)| a.dimension),
             Node::Parameter(i) => self.parameters().get(usize::from(i)).map(|p| p.dimension),
-            Node::Coordinate(Coordinate::Theta, _) | Node::Angle(..) | Node::VertexAngle(..) => {
-                Some(Dimension::Angle)
-            }
-            Node::Coordinate(..) | Node::Distance(..) => Some(Dimension::Length),
             Node::Area(_) => Some(Dimension::Area),
-            Node::Extreme(_, relation) => self.dimension(&[relation.term()], NodeId(0)),
+            Node::Quantity(quantity) | Node::Extreme(_, quantity) => self.measured_by(quantity),
             Node::Sum(a, b) | Node::Difference(a, b) => self
                 .dimension(nodes, a)
                 .or_else(|| self.dimension(nodes, b)),
@@ -37,48 +32,66 @@ impl Domain<'_> {
         }
     }
 
+    fn measured_by(&self, quantity: Quantity) -> Option<Dimension> {
+        match quantity {
+            Quantity::Attribute(slot) => self.slot(slot).map(|(_, a)| a.dimension),
+            Quantity::Coordinate(Coordinate::X | Coordinate::Y | Coordinate::Z, _)
+            | Quantity::Distance(..) => Some(Dimension::Length),
+            Quantity::Coordinate(Coordinate::Theta, _)
+            | Quantity::Angle(..)
+            | Quantity::VertexAngle(..) => Some(Dimension::Angle),
+        }
+    }
+
     /// What an expression depends on.
     pub fn dependence(&self, nodes: &[Node], id: NodeId) -> Dependence {
         match node_at(nodes, id) {
-            Ok(Node::Attribute(_)) => Dependence::Instance,
+            Err(_) | Ok(Node::Number(_) | Node::Constant(_) | Node::Area(_)) => {
+                Dependence::Constant
+            }
             Ok(Node::Parameter(_)) => Dependence::Sample,
-            Ok(Node::Extreme(_, relation)) => self.dependence(&[relation.term()], NodeId(0)),
+            Ok(Node::Quantity(quantity) | Node::Extreme(_, quantity)) => {
+                let mut points = quantity.points().into_iter().flatten();
+                let sampled = |i| self.points().get(usize::from(i)).is_some_and(|p| p.sampled);
+                match points.any(sampled) {
+                    true => Dependence::Sample,
+                    false => Dependence::Instance,
+                }
+            }
             Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
                 self.dependence(nodes, a).max(self.dependence(nodes, b))
             }
-            Ok(leaf) => {
-                let points = leaf.points().into_iter().flatten();
-                let dependences = points.map(|i| match self.points().get(usize::from(i)) {
-                    Some(point) if point.sampled => Dependence::Sample,
-                    _ => Dependence::Instance,
-                });
-                dependences.max().unwrap_or(Dependence::Constant)
-            }
-            Err(_) => Dependence::Constant,
         }
     }
 
-    /// A bit for each parameter in an expression, those of points left out.
+    /// A bit for each parameter in an expression, without those that points depend on.
     pub(in crate::domain) fn parameters_of(&self, nodes: &[Node], id: NodeId) -> u32 {
-        match node_at(nodes, id) {
-            Ok(Node::Parameter(p)) => 1u32.checked_shl(u32::from(p)).unwrap_or(0),
-            Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
-                self.parameters_of(nodes, a) | self.parameters_of(nodes, b)
-            }
-            _ => 0,
+        let Ok(node) = node_at(nodes, id) else {
+            return 0;
+        };
+        match node.operands() {
+            Some((a, b, _)) => self.parameters_of(nodes, a) | self.parameters_of(nodes, b),
+            None => parameter_bit(node),
         }
     }
 
-    /// Whether a number of an instance occurs in an expression, that of points left
-    /// out.
+    /// Whether an expression has a number of an instance in it, without those that
+    /// points depend on.
     pub(in crate::domain) fn reads(&self, nodes: &[Node], id: NodeId, slot: u8) -> bool {
-        match node_at(nodes, id) {
-            Ok(Node::Attribute(own)) => own == slot,
-            Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
-                self.reads(nodes, a, slot) || self.reads(nodes, b, slot)
-            }
-            _ => false,
+        let Ok(node) = node_at(nodes, id) else {
+            return false;
+        };
+        match node.operands() {
+            Some((a, b, _)) => self.reads(nodes, a, slot) || self.reads(nodes, b, slot),
+            None => self.is_about(node, slot),
         }
+    }
+
+    /// Whether a term is a number of an instance, or an extreme that is taken of it.
+    pub(in crate::domain) fn is_about(&self, term: Node, slot: u8) -> bool {
+        let mut found = false;
+        self.quantities(term, &mut |own| found |= own == Quantity::Attribute(slot));
+        found
     }
 
     /// The value of an expression that depends on constants only.
@@ -90,9 +103,15 @@ impl Domain<'_> {
             Node::Sum(a, b) => Some(value(a)? + value(b)?),
             Node::Difference(a, b) => Some(value(a)? - value(b)?),
             Node::Product(a, b) => Some(value(a)? * value(b)?),
-            _ => None,
+            Node::Parameter(_) | Node::Area(_) | Node::Quantity(_) | Node::Extreme(..) => None,
         }
     }
+}
+
+/// The bit of a parameter; none for another term.
+pub(in crate::domain) fn parameter_bit(term: Node) -> u32 {
+    let parameter = term.parameter();
+    parameter.map_or(0, |p| 1u32.checked_shl(u32::from(p)).unwrap_or(0))
 }
 
 /// The dimension of a product; literals scale, lengths make areas.

@@ -1,7 +1,8 @@
 //! Writes expressions.
 
-use crate::domain::node::{name_of, node_at};
-use crate::domain::{Coordinate, Domain, Metric, Node, NodeId};
+use super::words::{self, Function};
+use crate::domain::node::node_at;
+use crate::domain::{Domain, Node, NodeId, Quantity};
 use crate::text::write_number;
 use core::fmt;
 
@@ -34,10 +35,26 @@ impl Domain<'_> {
             return self.write_term(out, nodes, negated, Precedence::Factor);
         }
         let (a, operator, b, own) = match node {
+            Node::Number(value) => return write_number(out, value),
+            Node::Constant(i) => {
+                let constant = self.constants().get(usize::from(i));
+                return out.write_str(constant.ok_or(fmt::Error)?.name);
+            }
+            Node::Parameter(i) => {
+                let parameter = self.parameters().get(usize::from(i));
+                return out.write_str(parameter.ok_or(fmt::Error)?.name);
+            }
+            Node::Area(shape) => return self.write_area(out, shape),
+            Node::Quantity(quantity) => return self.write_quantity(out, quantity),
+            Node::Extreme(extreme, quantity) => {
+                out.write_str(extreme.name())?;
+                out.write_char('(')?;
+                self.write_quantity(out, quantity)?;
+                return out.write_char(')');
+            }
             Node::Sum(a, b) => (a, " + ", b, Precedence::Sum),
             Node::Difference(a, b) => (a, " - ", b, Precedence::Sum),
             Node::Product(a, b) => (a, "*", b, Precedence::Product),
-            leaf => return self.write_leaf(out, leaf),
         };
         let brackets = own < place;
         if brackets {
@@ -52,59 +69,39 @@ impl Domain<'_> {
         Ok(())
     }
 
-    fn write_leaf(&self, out: &mut dyn fmt::Write, node: Node) -> fmt::Result {
-        match node {
-            Node::Number(value) => write_number(out, value),
-            Node::Constant(i) => {
-                out.write_str(self.constants().get(usize::from(i)).map_or("?", |c| c.name))
-            }
-            Node::Attribute(i) => {
-                let (object, attribute) = self.slot(i).ok_or(fmt::Error)?;
+    fn write_area(&self, out: &mut dyn fmt::Write, shape: u8) -> fmt::Result {
+        let (object, _) = self.shapes().get(usize::from(shape)).ok_or(fmt::Error)?;
+        let object = self.objects().get(usize::from(*object)).ok_or(fmt::Error)?;
+        out.write_str(words::name_of(Function::Area).ok_or(fmt::Error)?)?;
+        out.write_char('(')?;
+        out.write_str(object.name)?;
+        out.write_char(')')
+    }
+
+    fn write_quantity(&self, out: &mut dyn fmt::Write, quantity: Quantity) -> fmt::Result {
+        match quantity {
+            Quantity::Attribute(slot) => {
+                let (object, attribute) = self.slot(slot).ok_or(fmt::Error)?;
                 out.write_str(object.name)?;
                 out.write_char('.')?;
                 out.write_str(attribute.name)
             }
-            Node::Parameter(i) => out.write_str(
-                self.parameters()
-                    .get(usize::from(i))
-                    .map_or("?", |p| p.name),
-            ),
-            Node::Coordinate(coordinate, p) => {
-                self.write_point(out, p)?;
+            Quantity::Coordinate(coordinate, point) => {
+                self.write_point(out, point)?;
                 out.write_char('.')?;
-                out.write_str(name_of(&Coordinate::NAMED, coordinate))
+                out.write_str(words::name_of_coordinate(coordinate).ok_or(fmt::Error)?)
             }
-            Node::Distance(metric, a, b) => {
-                self.write_points(out, name_of(&Metric::NAMED, metric), &[a, b])
-            }
-            Node::Angle(a, b) => self.write_points(out, "angle", &[a, b]),
-            Node::VertexAngle(a, b, c) => self.write_points(out, "angle", &[a, b, c]),
-            Node::Area(shape) => {
-                let (object, _) = self.shapes().get(usize::from(shape)).ok_or(fmt::Error)?;
-                let object = self.objects().get(usize::from(*object)).ok_or(fmt::Error)?;
-                out.write_str("area(")?;
-                out.write_str(object.name)?;
+            Quantity::Distance(..) | Quantity::Angle(..) | Quantity::VertexAngle(..) => {
+                out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;
+                let mut before = "(";
+                for point in quantity.points().into_iter().flatten() {
+                    out.write_str(before)?;
+                    self.write_point(out, point)?;
+                    before = ", ";
+                }
                 out.write_char(')')
             }
-            Node::Extreme(extreme, relation) => {
-                out.write_str(extreme.name())?;
-                out.write_char('(')?;
-                self.write_leaf(out, relation.term())?;
-                out.write_char(')')
-            }
-            Node::Sum(..) | Node::Difference(..) | Node::Product(..) => Err(fmt::Error),
         }
-    }
-
-    fn write_points(&self, out: &mut dyn fmt::Write, name: &str, points: &[u8]) -> fmt::Result {
-        out.write_str(name)?;
-        let mut before = "(";
-        for point in points {
-            out.write_str(before)?;
-            self.write_point(out, *point)?;
-            before = ", ";
-        }
-        out.write_char(')')
     }
 
     fn write_point(&self, out: &mut dyn fmt::Write, point: u8) -> fmt::Result {

@@ -1,7 +1,7 @@
 //! Reads formulas.
 
 use super::{Comparison, Constraint, Formula, Step};
-use crate::domain::{Domain, NodeId};
+use crate::domain::{Domain, MAX_DEPTH, NodeId};
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Token};
 
@@ -25,9 +25,6 @@ impl Formula {
         Ok(parser.formula)
     }
 }
-
-/// Deepest nesting of brackets and `not` in a formula's text.
-const MAX_NESTING: u8 = 12;
 
 struct FormulaParser<'d, 't, 's> {
     domain: &'d Domain<'t>,
@@ -64,8 +61,8 @@ impl FormulaParser<'_, '_, '_> {
     }
 
     fn literal(&mut self) -> Result<(), Failed> {
-        if self.depth >= MAX_NESTING {
-            return Err(self.lexer.fail("the formula is nested too deeply"));
+        if self.depth >= MAX_DEPTH {
+            return Err(self.lexer.fail("the formula is nested deeper than 12"));
         }
         self.depth += 1;
         let read = self.nested_literal();
@@ -81,42 +78,36 @@ impl FormulaParser<'_, '_, '_> {
         if self.lexer.accept("true") {
             return self.push_step(Step::True);
         }
-        if self.lexer.token() != Token::Symbol("(") {
+        if self.lexer.token() != Token::Symbol("(") || !self.opens_formula() {
             return self.constraint();
         }
-        // A bracket opens an expression or a formula: try both, and report the
-        // error of the reading that got further.
-        let (lexer, formula) = (self.lexer.clone(), &self.formula);
-        let kept = (
-            formula.nodes.len(),
-            formula.constraints.len(),
-            formula.steps.len(),
-        );
-        if self.constraint().is_ok() {
-            return Ok(());
-        }
-        let as_constraint = core::mem::replace(&mut self.lexer, lexer);
-        self.formula.truncate(kept);
         self.lexer.advance();
-        let as_formula = self.bracketed();
-        if as_formula.is_err() {
-            self.lexer.note_further(&as_constraint);
-        }
-        as_formula
-    }
-
-    /// A formula and the bracket that closes it.
-    fn bracketed(&mut self) -> Result<(), Failed> {
         self.disjunction()?;
         self.lexer.expect(")", "expected `and`, `or` or `)`")
+    }
+
+    /// Whether the bracket that it stands on is one of a formula: something in it is
+    /// compared or joined. All others belong to expressions.
+    #[inline(never)]
+    fn opens_formula(&self) -> bool {
+        let mut ahead = self.lexer.clone();
+        let mut open = 0u32;
+        loop {
+            match ahead.advance() {
+                Token::Symbol("(") => open = open.saturating_add(1),
+                Token::Symbol(")") if open > 1 => open -= 1,
+                Token::Symbol(")") | Token::End => return false,
+                Token::Name("and" | "or" | "not" | "true") => return true,
+                token if comparison(token).is_some() => return true,
+                _ => {}
+            }
+        }
     }
 
     fn constraint(&mut self) -> Result<(), Failed> {
         let left = self.expression()?;
         let at = self.lexer.place();
-        let comparison = Comparison::ALL
-            .into_iter()
-            .find(|c| self.lexer.token() == Token::Symbol(c.symbol()))
+        let comparison = comparison(self.lexer.token())
             .ok_or_else(|| self.lexer.fail_at(at, "expected `<`, `<=`, `>=` or `>`"))?;
         self.lexer.advance();
         let right = self.expression()?;
@@ -154,5 +145,85 @@ impl FormulaParser<'_, '_, '_> {
     fn expression(&mut self) -> Result<NodeId, Failed> {
         self.domain
             .read_expression(&mut self.lexer, &mut self.formula.nodes)
+    }
+}
+
+/// The comparison that a token is.
+fn comparison(token: Token<'_>) -> Option<Comparison> {
+    let mut all = Comparison::ALL.into_iter();
+    all.find(|comparison| token == Token::Symbol(comparison.symbol()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::format;
+    use std::string::{String, ToString};
+
+    fn read(text: &str) -> Result<String, String> {
+        let domain = Domain::parse("parameter a in [0, 1] parameter b in [0, 1]").unwrap();
+        let formula = Formula::parse(&domain, text).map_err(|error| error.to_string())?;
+        let mut written = String::new();
+        formula.write(&domain, &mut written).unwrap();
+        Ok(written)
+    }
+
+    #[test]
+    fn a_bracket_belongs_to_a_formula_or_to_an_expression() {
+        for (text, written) in [
+            ("((a + 1)*(b + 1) < 2)", "(a + 1)*(b + 1) < 2"),
+            ("(a) < 1 (b)", "a < 1 (b)"),
+            ("(not (a < 1)) and (true)", "not a < 1 and true"),
+            (
+                "((a) < 1 or (b < 1)) and a > b",
+                "(a < 1 or b < 1) and a > b",
+            ),
+        ] {
+            assert_eq!(read(text).as_deref(), Ok(written), "{text}");
+        }
+        for (text, error) in [
+            ("(a", "column 3: expected `)`"),
+            ("(a < 1", "column 7: expected `and`, `or` or `)`"),
+            ("(a + (b < 1))", "column 9: expected `)`"),
+            ("(a)", "column 4: expected `<`, `<=`, `>=` or `>`"),
+            ("()", "column 2: expected a number, a name or `(`"),
+            ("(a < 1) < 2", "column 9: expected `and`, `or` or the end"),
+            ("(a < ?)", "column 6: expected a number, a name or `(`"),
+        ] {
+            assert_eq!(read(text), Err(format!("line 1, {error}")), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_error_names_the_deepest_nesting() {
+        const FORMULA: &str = "the formula is nested deeper than 12";
+        const EXPRESSION: &str =
+            "the expression is nested deeper than 12; brackets and operators in a row count";
+        let brackets = |n: usize, inner: &str| format!("{}{inner}{}", "(".repeat(n), ")".repeat(n));
+        let row = |n: usize, operator: &str| format!("{}a < 1", format!("a{operator}").repeat(n));
+        let last = usize::from(MAX_DEPTH) - 1;
+        // What is read at the last level, and not any more one level deeper.
+        type Nested<'n> = &'n dyn Fn(usize) -> String;
+        let cases: [(Nested<'_>, &str); 6] = [
+            (&|n| brackets(n, "a < 1"), FORMULA),
+            (&|n| format!("{}a < 1", "not ".repeat(n)), FORMULA),
+            (&|n| format!("{} < 1", brackets(n, "a")), EXPRESSION),
+            (&|n| format!("a < {}", brackets(n, "1")), EXPRESSION),
+            (&|n| row(n + 1, " + "), EXPRESSION),
+            (&|n| row(n + 1, "*"), EXPRESSION),
+        ];
+        for (nested, error) in cases {
+            assert!(read(&nested(last)).is_ok(), "{}", nested(last));
+            let deeper = read(&nested(last + 1)).unwrap_err();
+            assert!(deeper.ends_with(&format!(": {error}")), "{deeper}");
+        }
+        // Formulas and expressions are counted apart, and another error is not hidden.
+        let both = brackets(last, &format!("{} < 1", brackets(last, "a")));
+        assert!(read(&both).is_ok());
+        let broken = read(&both.replace('a', "?")).unwrap_err();
+        assert!(
+            broken.ends_with("expected a number, a name or `(`"),
+            "{broken}"
+        );
     }
 }

@@ -36,27 +36,27 @@ impl Capacity {
     }
 }
 
-/// The one list of its tables, see [`crate::learn::tables`].
+/// The one list of its tables, see `learn/tables.rs`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! algorithm1_tables {
-    ([$($receiver:tt)*] $($argument:tt)*) => {
+    ([$($receiver:tt)*] $real:ty $(, $($argument:tt)*)?) => {
         $($receiver)*! {
-            [$($argument)*]
+            [$($($argument)*)?]
             /// Terms.
             features: $crate::domain::Node, features;
             /// Their values at the sample that was told last.
-            values: R, features;
+            values: $real, features;
             /// Hypotheses: a byte for the four comparisons of a pair of features.
             pairs: u8, pairs;
             /// Numeric bounds on left sides.
-            bounds: $crate::learn::algorithm1::Bounds<R>, lhs;
+            bounds: $crate::learn::algorithm1::Bounds<$real>, lhs;
             /// What was asked and told.
             observations: $crate::learn::Observation, observations;
         }
     };
 }
-algorithm1_tables! { [memory] }
+algorithm1_tables! { [memory] R }
 
 /// What decides the queries of [`Algorithm1`](super::Algorithm1).
 #[derive(Clone, Copy, Debug, PartialEq)]

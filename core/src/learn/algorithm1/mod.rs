@@ -67,8 +67,10 @@ enum Phase {
 /// The thesis's learner.
 ///
 /// ```
-/// use critreg::domain::{Domain, Node};
-/// use critreg::learn::*;
+/// use critreg::domain::Domain;
+/// use critreg::learn::algorithm1::{Bounds, Capacity, Config, Memory};
+/// use critreg::learn::{Algorithm1, Observation, Outcome, Problem, learn_region};
+/// use critreg::{domain::Node, table::Blank};
 /// # fn main() -> Result<(), critreg::Error> {
 /// let domain = Domain::parse(
 ///     "object wall { x: length, y: length }
@@ -77,15 +79,12 @@ enum Phase {
 /// )?;
 /// let problem = Problem::new(&domain, &[2.0, 0.0, 3.0, 0.0], 2)?;
 /// let capacity = Capacity { hypotheses: 1024, observations: 64 };
-/// let (mut nodes, mut values) = ([Node::Number(0.0); 160], [0.0; 160]);
-/// let (mut pairs, mut bounds) = ([0; 256], [Bounds::default(); 40]);
-/// let mut observations = [Observation::default(); 64];
 /// let memory = Memory {
-///     features: &mut nodes,
-///     values: &mut values,
-///     pairs: &mut pairs,
-///     bounds: &mut bounds,
-///     observations: &mut observations,
+///     features: &mut [Node::BLANK; 160],
+///     values: &mut [0.0; 160],
+///     pairs: &mut [0; 256],
+///     bounds: &mut [Bounds::BLANK; 40],
+///     observations: &mut [Observation::BLANK; 64],
 /// };
 /// let theta = |reach| [reach, 0.0, 0.0, 0.0, 0.0, 0.0];
 /// let config = Config {

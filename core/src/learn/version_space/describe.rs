@@ -5,7 +5,7 @@ use super::clause::Clause;
 use super::forms::{Forms, tolerance};
 use super::name::{Name, Named, Scaled, clearance, simplest};
 use super::report::Evidence;
-use crate::domain::{Domain, Node, NodeId, Relation, TermError, copy, intern};
+use crate::domain::{Domain, Node, NodeId, Quantity, TermError, copy, intern};
 use crate::error::Error;
 use crate::grammar::{Comparison, Inequality};
 use crate::real::Real;
@@ -138,9 +138,8 @@ fn is_one_constant(named: &Named) -> bool {
 fn distance<R: Real>(forms: &Forms<'_, R>, bound: &Bound<R>) -> Option<[u8; 2]> {
     let (left, right) = forms.terms(&bound.form);
     match forms.features().nodes().get(usize::from(left.0))? {
-        Node::Distance(_, a, b) | Node::Extreme(_, Relation::Distance(_, a, b)) => {
-            right.is_none().then_some([*a, *b])
-        }
+        Node::Quantity(Quantity::Distance(_, a, b))
+        | Node::Extreme(_, Quantity::Distance(_, a, b)) => right.is_none().then_some([*a, *b]),
         _ => None,
     }
 }
@@ -215,7 +214,8 @@ fn measures_from_corner<R: Real>(
     bound: &Bound<R>,
 ) -> bool {
     let (left, _) = forms.terms(&bound.form);
-    let Some(Node::Distance(_, a, b)) = forms.features().nodes().get(usize::from(left.0)) else {
+    let left = forms.features().nodes().get(usize::from(left.0));
+    let Some(Node::Quantity(Quantity::Distance(_, a, b))) = left else {
         return false;
     };
     let points = domain.points();

@@ -138,31 +138,29 @@ impl Capacity {
     }
 }
 
-/// The one list of a learner's tables, shown to a macro: for each what it holds, its name,
-/// the type of an entry (`R` is the type of numbers), and the method of [`Capacity`] that
-/// tells how many entries it has.
+/// The one list of its tables, see `learn/tables.rs`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! version_space_tables {
-    ([$($receiver:tt)*] $($argument:tt)*) => {
+    ([$($receiver:tt)*] $real:ty $(, $($argument:tt)*)?) => {
         $($receiver)*! {
-            [$($argument)*]
+            [$($($argument)*)?]
             /// Terms.
             features: $crate::domain::Node, features;
             /// Right sides in the instances.
-            rhs_values: R, rhs_values;
+            rhs_values: $real, rhs_values;
             /// Left sides at the samples.
-            lhs_values: R, lhs_values;
+            lhs_values: $real, lhs_values;
             /// Left sides at the sample that is looked at.
-            lhs: R, lhs;
+            lhs: $real, lhs;
             /// S of the forms.
-            intervals: $crate::learn::version_space::Interval<R>, intervals;
+            intervals: $crate::learn::version_space::Interval<$real>, intervals;
             /// Which form excludes which sample.
             exclusions: u64, exclusions;
             /// At which samples a step worked and failed.
             sample_sets: u64, sample_sets;
             /// The committees.
-            hypotheses: $crate::learn::version_space::Hypothesis<R>, hypotheses;
+            hypotheses: $crate::learn::version_space::Hypothesis<$real>, hypotheses;
             /// What was asked and told.
             observations: $crate::learn::Observation, observations;
             /// What supports the constraints of the region.
@@ -177,4 +175,4 @@ macro_rules! version_space_tables {
     };
 }
 
-version_space_tables! { [memory] }
+version_space_tables! { [memory] R }

@@ -16,7 +16,7 @@ pub(in crate::skill) fn completed<E: Environment, R: Rng>(
     let objects = ground.objects.as_slice();
     let mut parameters = environment.sample(ground.operator, state, objects, rng);
     for (value, given) in parameters.iter_mut().zip(first) {
-        *value = *given as f32;
+        *value = *given;
     }
     parameters
 }
@@ -31,7 +31,7 @@ pub(in crate::skill) fn proposal<E: Environment, R: Rng>(
     let drawn = completed(environment, ground, state, &[], rng);
     let mut theta = [0.0; MAX_PARAMETERS];
     for (value, drawn) in theta.iter_mut().zip(&drawn) {
-        *value = f64::from(*drawn);
+        *value = *drawn;
     }
     theta
 }

@@ -1,0 +1,159 @@
+//! Learners that run on scenarios, and what comes of it.
+
+use super::judge::Truth;
+use super::scenario::Scenario;
+use super::statistics::Run;
+use super::synthetic;
+use crate::room::{Algorithm1Room, VersionSpaceRoom};
+use crate::{pick, text};
+use critreg::Error;
+use critreg::domain::Domain;
+use critreg::learn::{Algorithm1, Config, Learner, Outcome, Problem};
+use critreg::random::{generator, uniform};
+use critreg::region::Region;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The learners that are compared.
+pub const LEARNERS: [&str; 2] = ["algorithm1", "version_space"];
+
+/// What `run` makes of each seed, in the order of the seeds, on all cores; with the progress
+/// on stderr after every so many.
+pub fn for_seeds<T: Send>(seeds: usize, every: usize, run: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut all: Vec<(usize, T)> = std::thread::scope(|scope| {
+        let work = || {
+            let mut done = Vec::new();
+            loop {
+                let index = next.fetch_add(1, Ordering::Relaxed);
+                if index >= seeds {
+                    return done;
+                }
+                if index > 0 && index.is_multiple_of(every) {
+                    eprintln!("{index} of {seeds} seeds");
+                }
+                done.push((index, run(index)));
+            }
+        };
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        let done = workers.into_iter().map(|w| w.join().expect("a worker"));
+        done.flatten().collect()
+    });
+    all.sort_by_key(|(index, _)| *index);
+    all.into_iter().map(|(_, own)| own).collect()
+}
+
+/// A problem with a seed: the same one for every seed, except for synthetic ones.
+pub(super) fn with_seed<T>(scenario: &Scenario, seed: u64, run: impl FnOnce(&Scenario) -> T) -> T {
+    match scenario.name {
+        "synthetic" => run(&synthetic(seed)),
+        _ => run(scenario),
+    }
+}
+
+/// Both learners on one seed.
+pub fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
+    with_seed(scenario, seed, |scenario| {
+        let truth = Truth::new(scenario, seed);
+        let instances = scenario.draw(seed, scenario.instances);
+        let domain = &scenario.domain;
+        let problem =
+            Problem::new(domain, &instances, scenario.instances).expect("valid instances");
+        let mut room = Algorithm1Room::new(20_000, scenario.calls as usize + 2);
+        let (capacity, mut config) = (room.capacity, pick::config(seed));
+        config.iterations = scenario.calls.saturating_sub(2);
+        let baseline = match Algorithm1::new(domain, config, capacity, room.lend()) {
+            Ok(learner) => run(learner, scenario, &problem, &truth, seed),
+            // It knows only actions with parameters.
+            Err(_) => Run::default(),
+        };
+        let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
+        let learner = room.learner(domain, scenario.config(seed));
+        let learner = learner.expect("enough room");
+        [baseline, run(learner, scenario, &problem, &truth, seed)]
+    })
+}
+
+/// Whether the region that the default learner ends with is exact.
+pub(super) fn is_exact(scenario: &Scenario, truth: &Truth, seed: u64, config: Config) -> bool {
+    let instances = scenario.draw(seed, scenario.instances);
+    let domain = &scenario.domain;
+    let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
+    let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
+    let mut learner = room.learner(domain, config).expect("enough room");
+    ask_and_tell(&mut learner, scenario, &problem, seed, |_, _| ());
+    let region = learner.region();
+    region.is_ok_and(|region| truth.full_score(domain, region).is_exact())
+}
+
+/// Asks and tells until the learner is finished. `seen` sees it after every call.
+fn ask_and_tell<L: Learner>(
+    learner: &mut L,
+    scenario: &Scenario,
+    problem: &Problem<'_>,
+    seed: u64,
+    mut seen: impl FnMut(u32, &L),
+) {
+    let used = problem.domain().parameters().len();
+    let mut flips = generator(seed ^ 0xF11B);
+    for calls in 1.. {
+        if learner.is_finished() {
+            break;
+        }
+        let query = learner.ask(problem).expect("not finished");
+        let instance = problem.instance(query.instance).expect("an instance");
+        let mut outcome = scenario.judge(instance, &query.theta[..used]);
+        if uniform(&mut flips) < scenario.noise {
+            outcome = Outcome::from_feasible(!outcome.is_feasible());
+        }
+        learner.tell(problem, outcome).expect("room for it");
+        seen(calls, learner);
+    }
+}
+
+fn run<L: Learner>(
+    mut learner: L,
+    scenario: &Scenario,
+    problem: &Problem<'_>,
+    truth: &Truth,
+    seed: u64,
+) -> Run {
+    let domain = problem.domain();
+    // The regions on the way, each with the number of calls it took.
+    let mut regions: Vec<(u32, Option<Region>)> = Vec::new();
+    ask_and_tell(&mut learner, scenario, problem, seed, |calls, learner| {
+        let region = match learner.region() {
+            Ok(region) => Some(region.clone()),
+            Err(Error::NoRegion) => None,
+            Err(error) => panic!("{error}"),
+        };
+        if regions.last().is_none_or(|(_, last)| *last != region) {
+            regions.push((calls, region));
+        }
+    });
+    let last = regions.last().and_then(|(_, region)| region.clone());
+    let Some(last) = last else {
+        return Run::default();
+    };
+    let score = truth.full_score(domain, &last);
+    Run {
+        region: Some(text::of_region(domain, &last)),
+        score,
+        calls_to_exact: calls_to_exact(domain, truth, &regions).filter(|_| score.is_exact()),
+    }
+}
+
+/// After how many calls all regions were exact, judged in fewer instances.
+fn calls_to_exact(
+    domain: &Domain<'_>,
+    truth: &Truth,
+    regions: &[(u32, Option<Region>)],
+) -> Option<u32> {
+    const TASKS: usize = 25;
+    let exact = |region: &Option<Region>| {
+        let region = region.as_ref();
+        region.is_some_and(|region| truth.score(domain, region, TASKS).is_exact())
+    };
+    let backwards = regions.iter().rev().take_while(|(_, region)| exact(region));
+    backwards.last().map(|(calls, _)| *calls)
+}
