@@ -151,6 +151,35 @@ pub enum Shape {
     },
 }
 
+/// The form of a body in the frame of its point: sizes along the axes of the frame, and a
+/// radius around that. A ball, a segment, a capsule, a rectangle, a rounded rectangle, a box.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Solid {
+    /// The size along each axis, where it has one.
+    pub sizes: [Option<NodeId>; 3],
+    /// The radius, if it is round.
+    pub radius: Option<NodeId>,
+    /// Whether the point is its centre, and not the corner where it begins.
+    pub centred: bool,
+}
+
+/// What has an extent: a solid that stands and turns as a point does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// The point, which may be an object.
+    pub point: u8,
+    /// What is there.
+    pub solid: Solid,
+}
+
+impl Body {
+    /// The terms of its sizes.
+    pub fn terms(&self) -> impl Iterator<Item = NodeId> {
+        let Solid { sizes, radius, .. } = self.solid;
+        sizes.into_iter().flatten().chain(radius)
+    }
+}
+
 /// The slots of an object's attributes that place it in the world: `x y z` and
 /// `theta` (or `yaw`), `pitch`, `roll`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -15,8 +15,12 @@
 //! dimension = "length" | "angle" | "area" | "flag" | "none" ;
 //! constant  = "constant" path "=" expr ":" dimension ;
 //! parameter = "parameter" name "in" "[" expr "," expr "]" [ ":" dimension ] ;
-//! shape     = "shape" name "=" ( "circle" "(" expr ")"
-//!                              | "rectangle" "(" expr "," expr ")" [ "centred" ] ) ;
+//! shape     = "shape" path "=" solid [ "rounded" factor ] [ "centred" ] ;
+//! solid     = "circle" "(" expr ")"                          (* a ball in space *)
+//!           | "rectangle" "(" expr "," expr ")"              (* a plate in space *)
+//!           | "box" "(" expr "," expr "," expr ")"
+//!           | "capsule" "(" expr "," expr ")"                (* length along x, radius *)
+//!           | "segment" "(" expr ")" ;                       (* along x *)
 //! point     = "point" path "=" frame [ "turned" turn ] [ "+" offset ] ;
 //! frame     = "world" | path ;                               (* an object or an earlier point *)
 //! turn      = factor | "(" expr "," expr "," expr ")" ;      (* yaw, or yaw, pitch, roll *)
@@ -27,7 +31,10 @@
 //! extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over the members of a group *)
 //! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" ) "(" path "," path ")"
 //!           | "angle" "(" path "," path "," path ")"         (* at the second point *)
+//!           | relation "(" path "," path ")"                 (* between their bodies *)
 //!           | "area" "(" name ")" ;
+//! relation  = "clear" | "inside" | "inside_x" | "inside_y" | "inside_z" | "over" | "corner"
+//!           | "x_in" | "y_in" | "z_in" | "abs_x_in" | "abs_y_in" | "abs_z_in" ;
 //! path      = name { "." name } ;
 //! name      = ( letter | "_" ) { letter | digit | "_" } ;
 //! ```
@@ -71,6 +78,7 @@
 //! no member is there, a least value is above every bound, and a greatest one below.
 
 mod algebra;
+mod body_pair;
 mod declarations;
 mod description;
 mod dimension;
@@ -87,8 +95,9 @@ mod turns;
 pub(crate) use node::{TermError, copy, intern, is_same};
 
 pub use algebra::{Algebra, Arithmetic, Curve, Line, Measure, Range};
+pub use body_pair::BodyPair;
 pub use declarations::{
-    Attribute, Base, Constant, Group, Member, Object, Parameter, Point, Shape, Type,
+    Attribute, Base, Body, Constant, Group, Member, Object, Parameter, Point, Shape, Solid, Type,
 };
 pub use dimension::Dimension;
 pub use expression::{Dependence, MAX_DEPTH};
@@ -97,6 +106,6 @@ pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};
 pub use schema::{
-    Domain, MAX_ATTRIBUTES, MAX_CONSTANTS, MAX_DOMAIN_NODES, MAX_GROUPS, MAX_OBJECTS,
+    Domain, MAX_ATTRIBUTES, MAX_BODIES, MAX_CONSTANTS, MAX_DOMAIN_NODES, MAX_GROUPS, MAX_OBJECTS,
     MAX_PARAMETERS, MAX_POINTS, MAX_SHAPES, MAX_TYPES,
 };

@@ -4,6 +4,7 @@
 //! uses them, so a list is evaluated in one sweep, and equal terms are stored once.
 
 use crate::error::Error;
+use crate::geometry::Relation;
 use crate::real::Real;
 use crate::table::Blank;
 use core::mem::discriminant;
@@ -51,6 +52,9 @@ pub enum Quantity {
     Distance(Metric, u8, u8),
     /// The angle between the x axes of two points, in `[0, pi]`.
     Angle(u8, u8),
+    /// A relation between the bodies of two points: the first one's to the second one's. A
+    /// point without a body is a body without extent.
+    Relation(Relation, u8, u8),
     /// The angle at the second point between the directions to the first and to the
     /// third, in `[0, pi]`; zero where one of them is the second point itself.
     VertexAngle(u8, u8, u8),
@@ -64,6 +68,7 @@ impl Quantity {
             Quantity::Coordinate(..)
             | Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::Relation(..)
             | Quantity::VertexAngle(..) => None,
         }
     }
@@ -73,7 +78,9 @@ impl Quantity {
         match self {
             Quantity::Attribute(_) => [None; 3],
             Quantity::Coordinate(_, a) => [Some(a), None, None],
-            Quantity::Distance(_, a, b) | Quantity::Angle(a, b) => [Some(a), Some(b), None],
+            Quantity::Distance(_, a, b) | Quantity::Angle(a, b) | Quantity::Relation(_, a, b) => {
+                [Some(a), Some(b), None]
+            }
             Quantity::VertexAngle(a, b, c) => [Some(a), Some(b), Some(c)],
         }
     }
@@ -85,6 +92,7 @@ impl Quantity {
             Quantity::Coordinate(axis, _) => Quantity::Coordinate(axis, a),
             Quantity::Distance(metric, ..) => Quantity::Distance(metric, a, b),
             Quantity::Angle(..) => Quantity::Angle(a, b),
+            Quantity::Relation(relation, ..) => Quantity::Relation(relation, a, b),
             Quantity::VertexAngle(..) => Quantity::VertexAngle(a, b, c),
         }
     }

@@ -1,7 +1,6 @@
 //! Sets of points: those that a region or a learner needs.
 
 use super::declarations::{Base, Point, PoseSlots};
-use super::expression::parameter_bit;
 use super::node::Node;
 use super::schema::{Domain, MAX_POINTS};
 
@@ -44,7 +43,7 @@ impl PointSet {
     pub(crate) fn parameters(self, domain: &Domain<'_>, nodes: &[Node]) -> u32 {
         let own = nodes
             .iter()
-            .fold(0, |bits, node| bits | parameter_bit(*node));
+            .fold(0, |bits, node| bits | domain.parameters_of_leaf(*node));
         let points = self.fixed.iter().chain(self.sampled.iter());
         let points = points.filter_map(|p| domain.points().get(usize::from(p)));
         let placed = points.flat_map(|p| p.turn.into_iter().chain(p.offset).flatten());

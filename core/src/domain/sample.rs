@@ -1,21 +1,25 @@
 //! A scene at one sample: points that depend on parameters, and values of expressions.
 
-use super::algebra::{Algebra, Arithmetic, Measure};
+use super::algebra::{Algebra, Arithmetic, Curve, Line, Measure};
+use super::body_pair::BodyPair;
+use super::declarations::Solid;
 use super::declarations::{Base, Point};
 use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 use super::scene::{MAX_SAMPLE_POINTS, Scene, is_zero, parameter};
 use super::turns::Turn;
-use crate::geometry::Rotation;
+use crate::geometry::{Body, Relation, Rotation};
 use crate::real::Real;
 use heapless::Vec;
 
 /// Where a sample point is: its origin may vary with the parameters.
 #[derive(Clone, Copy, Debug)]
-struct Placed<A> {
+struct Placed<R, A> {
     origin: [A; 3],
     turn: Turn,
     /// Whether its rotation is in the list of the sample, and not in that of the scene.
     turns_itself: bool,
+    /// By how much its rotation may be another one, as an angle.
+    slack: R,
 }
 
 /// A scene at one sample: the sample points have their places.
@@ -23,7 +27,7 @@ struct Placed<A> {
 pub struct Sample<'s, 'a, R, A> {
     scene: &'s Scene<'a, R>,
     theta: &'s [A],
-    placed: Vec<Placed<A>, MAX_SAMPLE_POINTS>,
+    placed: Vec<Placed<R, A>, MAX_SAMPLE_POINTS>,
     /// Of the points that are turned.
     rotations: Vec<R, { 9 * MAX_SAMPLE_POINTS }>,
 }
@@ -81,29 +85,6 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         }
     }
 
-    /// As [`Sample::measure`], but an extreme for which `chosen` names a member has the
-    /// value of that member: its place among the members that the instance has.
-    pub(crate) fn measure_choosing(
-        &self,
-        nodes: &[Node],
-        id: NodeId,
-        chosen: &impl Fn(NodeId) -> Option<usize>,
-    ) -> A::Measure {
-        match (nodes.get(usize::from(id.0)), chosen(id)) {
-            (Some(Node::Extreme(_, quantity)), Some(place)) => {
-                let member = self.scene.of_members(*quantity).nth(place);
-                member.map_or_else(A::Measure::unknown, |own| self.leaf(Node::Quantity(own)))
-            }
-            (Some(node), _) => self.node(*node, |id| self.measure_choosing(nodes, id, chosen)),
-            (None, _) => A::Measure::unknown(),
-        }
-    }
-
-    /// How many members the instance has of the group that a quantity is about.
-    pub(crate) fn member_count(&self, quantity: Quantity) -> usize {
-        self.scene.of_members(quantity).count()
-    }
-
     /// The value of a node whose operands are known.
     #[inline]
     pub fn node(&self, node: Node, operand: impl Fn(NodeId) -> A::Measure) -> A::Measure {
@@ -128,6 +109,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             Node::Quantity(Quantity::Distance(metric, a, b)) => self.distance(metric, a, b),
             Node::Quantity(Quantity::Angle(a, b)) => self.angle(a, b),
             Node::Quantity(Quantity::VertexAngle(a, vertex, b)) => self.vertex_angle(a, vertex, b),
+            Node::Quantity(Quantity::Relation(relation, a, b)) => self.relation(relation, [a, b]),
             Node::Extreme(extreme, quantity) => self.extreme(extreme, quantity),
             Node::Number(_)
             | Node::Constant(_)
@@ -154,7 +136,15 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             Coordinate::Y => self.along(1, point).measure(),
             Coordinate::Z => self.along(2, point).measure(),
             Coordinate::Theta => match self.heading(point) {
-                Some([x, y, _]) => A::Measure::constant(y.atan2(x)),
+                Some(([x, y, _], slack)) => {
+                    let heading = y.atan2(x);
+                    // Beyond pi it would begin anew at -pi.
+                    let half_turn = R::from_f64(core::f64::consts::PI);
+                    match slack > R::ZERO && heading.abs() + slack > half_turn {
+                        true => A::Measure::unknown(),
+                        false => A::constant(heading).widened(slack).measure(),
+                    }
+                }
                 None => A::Measure::unknown(),
             },
         }
@@ -177,7 +167,9 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     fn angle(&self, a: u8, b: u8) -> A::Measure {
         let headings = (self.heading(a), self.heading(b));
         match headings {
-            (Some(a), Some(b)) => A::Measure::constant(R::angle(a, b)),
+            (Some((a, first)), Some((b, second))) => A::constant(R::angle(a, b))
+                .widened(first + second)
+                .measure(),
             _ => A::Measure::unknown(),
         }
     }
@@ -193,7 +185,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 
     /// Where a sample point is; `None` for any other point.
-    fn placed(&self, point: u8) -> Option<&Placed<A>> {
+    fn placed(&self, point: u8) -> Option<&Placed<R, A>> {
         let sampled = self.scene.points.sampled;
         sampled
             .has(point)
@@ -221,7 +213,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 
     /// A point that others are placed in.
-    fn base(&self, point: u8) -> Placed<A> {
+    fn base(&self, point: u8) -> Placed<R, A> {
         match self.placed(point) {
             Some(placed) => *placed,
             None => {
@@ -230,6 +222,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
                     origin: origin.map(A::constant),
                     turn,
                     turns_itself: false,
+                    slack: R::ZERO,
                 }
             }
         }
@@ -245,34 +238,92 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 
     /// The rotation of a point, if it is known.
-    fn rotation(&self, placed: &Placed<A>) -> Option<Rotation<R>> {
+    fn rotation(&self, placed: &Placed<R, A>) -> Option<Rotation<R>> {
         placed.turn.rotation(self.list(placed.turns_itself))
     }
 
-    /// The direction of a point's x axis, if it is known.
-    fn heading(&self, point: u8) -> Option<[R; 3]> {
-        Some(self.rotation(&self.base(point))?.heading())
+    /// The direction of a point's x axis, if it is known, and by how much it may be off.
+    fn heading(&self, point: u8) -> Option<([R; 3], R)> {
+        let placed = self.base(point);
+        Some((self.rotation(&placed)?.heading(), placed.slack))
+    }
+
+    #[inline(never)]
+    fn relation(&self, relation: Relation, points: [u8; 2]) -> A::Measure {
+        match self.bodies(relation, points) {
+            Some((pair, difference, slack)) => A::relation(&pair, difference, slack),
+            None => A::Measure::unknown(),
+        }
+    }
+
+    /// The bodies of two points, how far their centres are apart, and by how much what is
+    /// not known of how they are turned and how large they are can change a relation.
+    fn bodies(&self, relation: Relation, points: [u8; 2]) -> Option<(BodyPair<R>, [A; 3], R)> {
+        let [(first, [ax, ay, az], slack), (second, [bx, by, bz], other)] =
+            [self.body(points[0])?, self.body(points[1])?];
+        let pair = BodyPair {
+            relation,
+            first,
+            second,
+            dimensions: self.scene.dimensions,
+        };
+        let difference = [ax.minus(bx), ay.minus(by), az.minus(bz)];
+        Some((pair, difference, slack + other))
+    }
+
+    /// The body of a point about its centre, and where that is.
+    fn body(&self, point: u8) -> Option<(Body<R>, [A; 3], R)> {
+        let placed = self.base(point);
+        let solid = self.scene.domain.body_of(point);
+        let solid = solid.map_or_else(Solid::default, |body| body.solid);
+        let about = |id: Option<NodeId>| self.scene.offset_term::<A>(id, self.theta).about();
+        let half = R::from_f64(0.5);
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation(&placed)?.rows();
+        let axes = [[a, d, g], [b, e, h], [c, f, i]];
+        let (radius, mut slack) = about(solid.radius)?;
+        let mut centre = placed.origin;
+        let mut halves = [R::ZERO; 3];
+        for ((half_size, axis), id) in halves.iter_mut().zip(&axes).zip(solid.sizes) {
+            let (size, unknown) = about(id)?;
+            *half_size = size * half;
+            slack += unknown * half;
+            if !solid.centred && id.is_some() {
+                for (own, entry) in centre.iter_mut().zip(axis) {
+                    let step = A::constant(*half_size * *entry);
+                    *own = own.plus(step.widened(unknown * half));
+                }
+            }
+        }
+        if placed.slack > R::ZERO {
+            let by = chord(placed.slack) * R::norm(halves);
+            slack += by;
+            if !solid.centred {
+                centre = centre.map(|own| own.widened(by));
+            }
+        }
+        Some((Body::new([R::ZERO; 3], axes, halves, radius), centre, slack))
     }
 
     /// Turns and moves a sample point in the frame it is placed in.
     #[inline(never)]
-    fn place(&mut self, point: &Point<'_>) -> Placed<A> {
+    fn place(&mut self, point: &Point<'_>) -> Placed<R, A> {
         let mut placed = match point.base {
             Base::World => Placed {
                 origin: [A::constant(R::ZERO); 3],
                 turn: Turn::World,
                 turns_itself: false,
+                slack: R::ZERO,
             },
             Base::Object(object) => Placed {
                 origin: self.scene.object_origin(object).map(A::constant),
                 turn: self.keep(&self.scene.object_rotation(object)),
                 turns_itself: true,
+                slack: R::ZERO,
             },
             Base::Point(p) => self.base(p),
         };
         if !is_zero(&point.turn) {
-            placed.turn = self.turned(&placed, point.turn);
-            placed.turns_itself = true;
+            self.turn(&mut placed, point.turn);
         }
         if !is_zero(&point.offset) {
             match self.rotation(&placed) {
@@ -280,6 +331,10 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
                     let origin = &mut placed.origin;
                     self.scene
                         .advance(origin, &rotation, &point.offset, self.theta);
+                    if placed.slack > R::ZERO {
+                        let by = chord(placed.slack) * self.reach(&point.offset);
+                        placed.origin = placed.origin.map(|own| own.widened(by));
+                    }
                 }
                 None => placed.origin = [A::unknown(); 3],
             }
@@ -287,19 +342,108 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         placed
     }
 
-    /// A turn that varies is unknown, unless the algebra is that of numbers.
-    fn turned(&mut self, base: &Placed<A>, turn: [Option<NodeId>; 3]) -> Turn {
-        let angles = turn.map(|id| self.scene.offset_term(id, self.theta).known());
-        match (self.rotation(base), angles) {
-            (Some(base), [Some(yaw), Some(pitch), Some(roll)]) => {
+    /// Turns a point further. Where its angles vary, the rotation is the middle one, with
+    /// some slack; along a line of parameters it is unknown.
+    fn turn(&mut self, placed: &mut Placed<R, A>, turn: [Option<NodeId>; 3]) {
+        let angles = turn.map(|id| self.scene.offset_term::<A>(id, self.theta).about());
+        placed.turn = match (self.rotation(placed), angles) {
+            (Some(base), [Some((yaw, a)), Some((pitch, b)), Some((roll, c))]) => {
+                placed.slack += a + b + c;
                 self.keep(&base.compose(&Rotation::new([yaw, pitch, roll])))
             }
             _ => Turn::Unknown,
-        }
+        };
+        placed.turns_itself = true;
+    }
+
+    /// How far an offset reaches at most.
+    fn reach(&self, offset: &[Option<NodeId>; 3]) -> R {
+        R::norm(offset.map(|id| {
+            let step = self.scene.offset_term::<A>(id, self.theta).about();
+            step.map_or(R::INFINITY, |(middle, slack)| middle.abs() + slack)
+        }))
     }
 
     /// Keeps a rotation; there is room for one of each sample point.
     fn keep(&mut self, rotation: &Rotation<R>) -> Turn {
         Turn::keep(rotation, &mut self.rotations).unwrap_or(Turn::Unknown)
     }
+}
+
+/// Along a line, an extreme and a relation between bodies are made of curves, of which one
+/// counts at each position.
+impl<R: Real> Sample<'_, '_, R, Line<R>> {
+    /// How many curves a term is made of: one for each member of a group, and for each piece
+    /// of a relation.
+    pub(crate) fn curve_count(&self, term: Node) -> usize {
+        match term {
+            Node::Quantity(quantity) => self.piece_count(quantity),
+            Node::Extreme(_, quantity) => {
+                let members = self.scene.of_members(quantity);
+                members.count() * self.most_pieces(quantity)
+            }
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::Area(_)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..) => 1,
+        }
+    }
+
+    /// As [`Sample::measure`], with one curve in place of a term where `chosen` has one for
+    /// it, by its number. One that does not exist is infinite: it has no roots.
+    pub(crate) fn measure_choosing(
+        &self,
+        nodes: &[Node],
+        id: NodeId,
+        chosen: &impl Fn(NodeId) -> Option<usize>,
+    ) -> Curve<R> {
+        match (nodes.get(usize::from(id.0)), chosen(id)) {
+            (Some(Node::Extreme(_, quantity)), Some(index)) => {
+                let pieces = self.most_pieces(*quantity).max(1);
+                let member = self.scene.of_members(*quantity).nth(index / pieces);
+                member.map_or_else(Curve::unknown, |own| self.curve(own, index % pieces))
+            }
+            (Some(Node::Quantity(quantity)), Some(index)) => self.curve(*quantity, index),
+            (Some(node), _) => self.node(*node, |id| self.measure_choosing(nodes, id, chosen)),
+            (None, _) => Curve::unknown(),
+        }
+    }
+
+    /// One curve of a quantity.
+    fn curve(&self, quantity: Quantity, index: usize) -> Curve<R> {
+        let Quantity::Relation(relation, a, b) = quantity else {
+            return self.leaf(Node::Quantity(quantity));
+        };
+        match self.bodies(relation, [a, b]) {
+            Some((pair, difference, _)) => {
+                let piece = pair.piece(index, difference);
+                piece.unwrap_or_else(|| Curve::constant(R::INFINITY))
+            }
+            None => Curve::unknown(),
+        }
+    }
+
+    fn piece_count(&self, quantity: Quantity) -> usize {
+        let Quantity::Relation(relation, a, b) = quantity else {
+            return 1;
+        };
+        let bodies = self.bodies(relation, [a, b]);
+        bodies.map_or(1, |(pair, ..)| pair.piece_count())
+    }
+
+    fn most_pieces(&self, quantity: Quantity) -> usize {
+        let members = self.scene.of_members(quantity);
+        members.map(|own| self.piece_count(own)).max().unwrap_or(1)
+    }
+}
+
+/// How far apart the ends of a unit vector are that is turned by at most an angle.
+fn chord<R: Real>(angle: R) -> R {
+    let half = angle * R::from_f64(0.5);
+    let right = R::from_f64(core::f64::consts::FRAC_PI_2);
+    let (sine, _) = half.min(right).sin_cos();
+    sine + sine
 }

@@ -9,7 +9,7 @@ use super::point_set::PointSet;
 use super::schema::{Domain, MAX_OBJECTS, MAX_POINTS};
 use super::turns::Turn;
 use crate::error::Error;
-use crate::geometry::Rotation;
+use crate::geometry::{Dimensions, Rotation};
 use crate::real::Real;
 use heapless::Vec;
 
@@ -32,6 +32,8 @@ pub struct Scene<'a, R> {
     /// Where the rotation of each such point is: most points share that of their base.
     turns: Vec<Turn, MAX_POINTS>,
     pub(super) rotations: Vec<R, MAX_TURN_NUMBERS>,
+    /// Whether bodies lie in the plane or in space.
+    pub(super) dimensions: Dimensions,
 }
 
 impl<'a, R: Real> Scene<'a, R> {
@@ -62,6 +64,10 @@ impl<'a, R: Real> Scene<'a, R> {
             origins: Vec::new(),
             turns: Vec::new(),
             rotations: Vec::new(),
+            dimensions: match domain.bodies().is_empty() || domain.axes() < 3 {
+                true => Dimensions::Plane,
+                false => Dimensions::Space,
+            },
         }
     }
 

@@ -1,7 +1,7 @@
 //! A domain: the lists of what it declares, and look-ups in them.
 
 use super::declarations::{
-    Attribute, Base, Constant, Group, Object, Parameter, Point, PoseSlots, Shape, Type,
+    Attribute, Base, Body, Constant, Group, Object, Parameter, Point, PoseSlots, Shape, Type,
 };
 use super::node::Node;
 use crate::text::split_at_dot;
@@ -24,6 +24,8 @@ pub const MAX_PARAMETERS: usize = 6;
 pub const MAX_POINTS: usize = 64;
 /// Most shapes.
 pub const MAX_SHAPES: usize = 16;
+/// Most bodies, those of every member of a group counted.
+pub const MAX_BODIES: usize = 24;
 /// Most terms in the offsets, turns and sizes of all points and shapes together.
 pub const MAX_DOMAIN_NODES: usize = 128;
 
@@ -39,6 +41,7 @@ pub struct Domain<'t> {
     pub(super) parameters: Vec<Parameter<'t>, MAX_PARAMETERS>,
     pub(super) points: Vec<Point<'t>, MAX_POINTS>,
     pub(super) shapes: Vec<(u8, Shape), MAX_SHAPES>,
+    pub(super) bodies: Vec<Body, MAX_BODIES>,
     pub(super) nodes: Vec<Node, MAX_DOMAIN_NODES>,
     pub(super) slots: u8,
     pub(super) text: &'t str,
@@ -57,6 +60,7 @@ impl<'t> Domain<'t> {
             parameters: Vec::new(),
             points: Vec::new(),
             shapes: Vec::new(),
+            bodies: Vec::new(),
             nodes: Vec::new(),
             slots: 0,
             text: "",
@@ -116,6 +120,17 @@ impl<'t> Domain<'t> {
     /// The shapes, each with the index of its object.
     pub fn shapes(&self) -> &[(u8, Shape)] {
         &self.shapes
+    }
+
+    /// The bodies in order of declaration; those of the members of a group follow one
+    /// another.
+    pub fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
+    /// The body of a point, if it has one.
+    pub fn body_of(&self, point: u8) -> Option<&Body> {
+        self.bodies.iter().find(|body| body.point == point)
     }
 
     /// The terms that the points and shapes refer to.

@@ -5,6 +5,7 @@
 //! this kind take a kilobyte of stack, loops next to nothing.
 
 use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Quantity};
+use crate::geometry::{Axis, Relation};
 
 /// A function that takes one feature after the other.
 pub(super) type Visit<'v> = &'v mut dyn FnMut(Node);
@@ -23,6 +24,15 @@ fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
         }
         _ => {}
     }
+}
+
+/// As [`say`], without the greatest value: what is clear of one member of a group need not
+/// be clear of the others.
+fn say_least(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
+    say(domain, quantity, &mut |term| match term {
+        Node::Extreme(Extreme::Greatest, _) => {}
+        term => visit(term),
+    });
 }
 
 /// The attributes of objects.
@@ -82,6 +92,45 @@ fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
     }
 }
 
+const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+/// Whether a point has a body with corners.
+fn has_corners(domain: &Domain<'_>, point: u8) -> bool {
+    let body = domain.body_of(point);
+    body.is_some_and(|body| body.solid.sizes.iter().flatten().nth(1).is_some())
+}
+
+/// Relations between bodies, of the sample or not: between any two things that stand
+/// somewhere, of which one at least has an extent.
+fn body_relations(domain: &Domain<'_>, relations: &[Relation], sampled: bool, visit: Visit<'_>) {
+    let stands = |index: u8, point: &Point<'_>| {
+        point.sampled || point.is_object() || domain.body_of(index).is_some()
+    };
+    for relation in relations {
+        for (a, first) in (0u8..).zip(domain.points()).filter(|(a, p)| stands(*a, p)) {
+            for (b, second) in (0u8..).zip(domain.points()).filter(|(b, p)| stands(*b, p)) {
+                let ordered = match relation {
+                    // The same both ways round: what moves first, as a person would say it.
+                    Relation::Clear if first.sampled == second.sampled => a > b,
+                    Relation::Clear => first.sampled,
+                    // Only what has an extent can hold something.
+                    Relation::Inside | Relation::InsideAlong(_) | Relation::Over => {
+                        domain.body_of(b).is_some()
+                    }
+                    Relation::Corner => has_corners(domain, a),
+                    Relation::Coordinate(_) | Relation::Magnitude(_) => second.has_heading(),
+                };
+                let sized = domain.body_of(a).is_some() || domain.body_of(b).is_some();
+                let moves = first.sampled || second.sampled;
+                if a != b && ordered && sized && moves == sampled {
+                    let quantity = Quantity::Relation(*relation, a, b);
+                    say_least(domain, quantity, visit);
+                }
+            }
+        }
+    }
+}
+
 /// Distances, angle differences and areas, of the sample or not.
 pub(super) fn relations(
     domain: &Domain<'_>,
@@ -96,6 +145,11 @@ pub(super) fn relations(
         (Dimension::Length, _) => &[Metric::X, Metric::Y, Metric::Z, Metric::Straight],
         _ => &[],
     };
+    let bodies = dimension == Dimension::Length && !domain.bodies().is_empty();
+    if bodies {
+        const WHOLE: [Relation; 3] = [Relation::Clear, Relation::Inside, Relation::Over];
+        body_relations(domain, &WHOLE, sampled, visit);
+    }
     let angles = dimension == Dimension::Angle;
     for (a, first) in (0u8..).zip(domain.points()) {
         for (b, second) in (0u8..a).zip(domain.points()) {
@@ -108,6 +162,19 @@ pub(super) fn relations(
             }
             if angles && first.has_heading() && second.has_heading() {
                 say(domain, Quantity::Angle(a, b), visit);
+            }
+        }
+    }
+    if bodies {
+        body_relations(domain, &[Relation::Corner], sampled, visit);
+        let axes = AXES.get(..domain.axes()).unwrap_or(&AXES);
+        for along in [
+            Relation::InsideAlong,
+            Relation::Magnitude,
+            Relation::Coordinate,
+        ] {
+            for axis in axes {
+                body_relations(domain, &[along(*axis)], sampled, visit);
             }
         }
     }

@@ -1,8 +1,9 @@
-//! A constraint with extremes, along a line of parameters.
+//! A constraint with extremes or with relations between bodies, along a line of parameters.
 //!
-//! The least of several curves is not a curve. But if one member is chosen in each
-//! extreme, the sides of the constraint are curves. Where the sides are equal, they are
-//! equal for the members that have the least or greatest values there. So the constraint
+//! The least of several curves is not a curve, nor is a relation between bodies, which has
+//! a piece for each face and corner. But if one member or piece is chosen for each such
+//! term, the sides of the constraint are curves. Where the sides are equal, they are
+//! equal for the members and pieces that count there. So the constraint
 //! can change only at the roots of all choices. Whether it does so at a root, and what
 //! holds between two roots, follows from evaluating the constraint itself.
 
@@ -11,9 +12,9 @@ use crate::grammar::{Comparison, Constraint};
 use crate::real::Real;
 use heapless::Vec;
 
-/// Most extremes that vary along a line, in one constraint.
-const MAX_EXTREMES: usize = 4;
-/// Most ways of choosing a member in each extreme.
+/// Most terms in one constraint that are made of several curves.
+const MAX_VARYING: usize = 4;
+/// Most ways of choosing a curve for each of them.
 const MAX_CHOICES: usize = 1024;
 
 /// A line of parameters, and a scene along that line.
@@ -24,13 +25,13 @@ pub(super) struct Along<'s, 'a, R> {
     pub(super) sample: &'s Sample<'s, 'a, R, Line<R>>,
 }
 
-/// A constraint along a line, and the ways of choosing one member in each extreme.
+/// A constraint along a line, and the ways of choosing one curve for each of its terms.
 pub(super) struct Choices<'s, 'a, R> {
     along: Along<'s, 'a, R>,
     nodes: &'s [Node],
     constraint: &'s Constraint,
-    /// The extremes that vary, and how many members each has.
-    extremes: Vec<(NodeId, usize), MAX_EXTREMES>,
+    /// The terms that are made of several curves, and of how many.
+    varying: Vec<(NodeId, usize), MAX_VARYING>,
 }
 
 impl<'s, 'a, R: Real> Choices<'s, 'a, R> {
@@ -44,7 +45,7 @@ impl<'s, 'a, R: Real> Choices<'s, 'a, R> {
             along,
             nodes,
             constraint,
-            extremes: Vec::new(),
+            varying: Vec::new(),
         };
         choices.collect(constraint.lhs)?;
         choices.collect(constraint.rhs)?;
@@ -56,11 +57,11 @@ impl<'s, 'a, R: Real> Choices<'s, 'a, R> {
         self.constraint.comparison
     }
 
-    /// Left minus right, for each choice of members.
+    /// Left minus right, for each choice of curves.
     pub(super) fn curves(&self) -> impl Iterator<Item = Curve<R>> {
         (0..self.count()).map(|choice| {
             let [lhs, rhs] = [self.constraint.lhs, self.constraint.rhs].map(|id| {
-                let chosen = |extreme| self.chosen(choice, extreme);
+                let chosen = |term| self.chosen(choice, term);
                 self.along.sample.measure_choosing(self.nodes, id, &chosen)
             });
             lhs.minus(rhs)
@@ -89,43 +90,39 @@ impl<'s, 'a, R: Real> Choices<'s, 'a, R> {
         [self.constraint.lhs, self.constraint.rhs].map(|id| sample.measure(self.nodes, id))
     }
 
-    /// Finds the extremes of an expression that vary; `None` if there are too many.
+    /// Finds the terms of an expression that are made of several curves; `None` if there are
+    /// too many.
     fn collect(&mut self, id: NodeId) -> Option<()> {
         match self.nodes.get(usize::from(id.0))? {
             Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b) => {
                 self.collect(*a)?;
                 self.collect(*b)
             }
-            Node::Extreme(_, quantity) => {
+            term @ (Node::Extreme(..) | Node::Quantity(_)) => {
                 let sample = self.along.sample;
-                let found = self.extremes.iter().any(|(other, _)| *other == id);
+                let found = self.varying.iter().any(|(other, _)| *other == id);
                 if found || sample.measure(self.nodes, id).is_known() {
                     return Some(());
                 }
-                let members = sample.member_count(*quantity);
-                self.extremes.push((id, members)).ok()
+                self.varying.push((id, sample.curve_count(*term))).ok()
             }
-            Node::Number(_)
-            | Node::Constant(_)
-            | Node::Parameter(_)
-            | Node::Area(_)
-            | Node::Quantity(_) => Some(()),
+            Node::Number(_) | Node::Constant(_) | Node::Parameter(_) | Node::Area(_) => Some(()),
         }
     }
 
-    /// In how many ways one member can be chosen in each extreme.
+    /// In how many ways one curve can be chosen for each term.
     fn count(&self) -> usize {
-        self.extremes.iter().map(|(_, members)| *members).product()
+        self.varying.iter().map(|(_, curves)| *curves).product()
     }
 
-    /// The member of an extreme in a choice: a digit of the number of the choice.
-    fn chosen(&self, choice: usize, extreme: NodeId) -> Option<usize> {
+    /// The curve of a term in a choice: a digit of the number of the choice.
+    fn chosen(&self, choice: usize, term: NodeId) -> Option<usize> {
         let mut rest = choice;
-        for (id, members) in &self.extremes {
-            if *id == extreme {
-                return rest.checked_rem(*members);
+        for (id, curves) in &self.varying {
+            if *id == term {
+                return rest.checked_rem(*curves);
             }
-            rest = rest.checked_div(*members)?;
+            rest = rest.checked_div(*curves)?;
         }
         None
     }

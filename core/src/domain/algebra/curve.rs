@@ -2,6 +2,7 @@
 
 use super::line::Line;
 use super::{Algebra, Arithmetic, Measure, dot};
+use crate::domain::body_pair::BodyPair;
 use crate::domain::node::Extreme;
 use crate::real::Real;
 
@@ -182,6 +183,19 @@ impl<R: Real> Algebra<R> for Line<R> {
     }
     fn known(self) -> Option<R> {
         (self.slope == R::ZERO).then_some(self.at)
+    }
+    fn about(self) -> Option<(R, R)> {
+        Some((self.known()?, R::ZERO))
+    }
+    fn widened(self, _: R) -> Self {
+        self
+    }
+    /// A relation is one curve only where nothing moves; else it is made of pieces.
+    fn relation(pair: &BodyPair<R>, difference: [Self; 3], _: R) -> Curve<R> {
+        match difference.map(Line::known) {
+            [Some(x), Some(y), Some(z)] => Curve::constant(pair.value([x, y, z])),
+            _ => Curve::unknown(),
+        }
     }
 }
 

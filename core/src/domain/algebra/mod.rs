@@ -14,6 +14,7 @@ pub use curve::Curve;
 pub use line::Line;
 pub use range::Range;
 
+use super::body_pair::BodyPair;
 use super::node::Extreme;
 use crate::real::Real;
 
@@ -55,6 +56,13 @@ pub trait Algebra<R: Real>: Arithmetic<R> {
     fn angle(a: [Self; 3], b: [Self; 3]) -> Self::Measure;
     /// The number, if it does not vary.
     fn known(self) -> Option<R>;
+    /// A number and how far it is from this quantity at most; `None` if that is unknown.
+    fn about(self) -> Option<(R, R)>;
+    /// The same quantity, known less exactly by so much.
+    fn widened(self, by: R) -> Self;
+    /// A relation between two bodies, where the first one's centre is this far from the
+    /// second one's, and turning them may change it by so much.
+    fn relation(pair: &BodyPair<R>, difference: [Self; 3], slack: R) -> Self::Measure;
 }
 
 fn dot<R: Real, A: Arithmetic<R>>(a: [A; 3], b: [A; 3]) -> A {

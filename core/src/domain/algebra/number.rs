@@ -1,6 +1,7 @@
 //! Numbers: what a term is at one sample.
 
 use super::{Algebra, Arithmetic, Measure, dot};
+use crate::domain::body_pair::BodyPair;
 use crate::domain::node::Extreme;
 use crate::real::Real;
 
@@ -52,5 +53,14 @@ impl<R: Real> Algebra<R> for R {
     }
     fn known(self) -> Option<R> {
         Some(self)
+    }
+    fn about(self) -> Option<(R, R)> {
+        Some((self, R::ZERO))
+    }
+    fn widened(self, _: R) -> R {
+        self
+    }
+    fn relation(pair: &BodyPair<R>, difference: [R; 3], _: R) -> R {
+        pair.value(difference)
     }
 }

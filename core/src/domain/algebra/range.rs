@@ -1,6 +1,7 @@
 //! Ranges: bounds of a term over a box of parameters.
 
 use super::{Algebra, Arithmetic, Measure, dot};
+use crate::domain::body_pair::BodyPair;
 use crate::domain::node::Extreme;
 use crate::real::Real;
 
@@ -109,5 +110,22 @@ impl<R: Real> Algebra<R> for Range<R> {
     }
     fn known(self) -> Option<R> {
         (self.low == self.high).then_some(self.low)
+    }
+    fn about(self) -> Option<(R, R)> {
+        let half = (self.high - self.low) * R::from_f64(0.5);
+        half.is_finite().then(|| (self.low + half, half))
+    }
+    fn widened(self, by: R) -> Self {
+        Range {
+            low: self.low - by,
+            high: self.high + by,
+        }
+    }
+    /// Relations are lengths: they change by no more than their bodies move.
+    fn relation(pair: &BodyPair<R>, difference: [Self; 3], slack: R) -> Self {
+        let [Some((x, dx)), Some((y, dy)), Some((z, dz))] = difference.map(Range::about) else {
+            return Self::unknown();
+        };
+        Self::constant(pair.value([x, y, z])).widened(R::norm([dx, dy, dz]) + slack)
     }
 }

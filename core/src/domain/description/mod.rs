@@ -1,5 +1,6 @@
 //! Reads the domain text; its grammar stands at the head of the parent module.
 
+mod bodies;
 mod numbers;
 mod objects;
 mod parser;

@@ -1,123 +1,10 @@
-//! Statements that declare shapes and points.
+//! Statements that declare points.
 
 use super::parser::DomainParser;
-use crate::domain::{Base, Dependence, Dimension, Member, Node, NodeId, Point, Shape};
+use crate::domain::{Base, Dependence, Dimension, Member, Node, NodeId, Point};
 use crate::text::{Failed, Place, split_at_dot};
 
-/// Where a shape starts, has its middle and ends along an axis of its object.
-#[derive(Clone, Copy)]
-struct Extent {
-    low: Option<NodeId>,
-    middle: Option<NodeId>,
-    high: Option<NodeId>,
-}
-
 impl<'t> DomainParser<'_, 't> {
-    #[inline(never)]
-    pub(super) fn shape_statement(&mut self) -> Result<(), Failed> {
-        let at = self.lexer.place();
-        let name = self.lexer.expect_name("expected the name of an object")?;
-        let object = self
-            .domain
-            .find_object(name)
-            .ok_or_else(|| self.lexer.fail_at(at, "unknown object"))?;
-        if self.domain.find_point(name).is_none() {
-            return Err(self
-                .lexer
-                .fail_at(at, "an object with a shape needs the attributes x and y"));
-        }
-        if self.domain.find_shape(name).is_some() {
-            return Err(self.lexer.fail_at(at, "this object has a shape already"));
-        }
-        self.lexer.expect("=", "expected `=` and a shape")?;
-        let (shape, extents) = if self.lexer.accept("circle") {
-            let [radius, _] = self.sizes(1)?;
-            let extent = self.centred(radius)?;
-            (Shape::Circle { radius }, [extent, extent])
-        } else {
-            self.lexer
-                .expect("rectangle", "expected `circle` or `rectangle`")?;
-            let [width, height] = self.sizes(2)?;
-            let (half_width, half_height) = (self.half(width)?, self.half(height)?);
-            let extents = if self.lexer.accept("centred") {
-                [self.centred(half_width)?, self.centred(half_height)?]
-            } else {
-                [(width, half_width), (height, half_height)].map(|(whole, half)| Extent {
-                    low: None,
-                    middle: Some(half),
-                    high: Some(whole),
-                })
-            };
-            (Shape::Rectangle { width, height }, extents)
-        };
-        self.key_points(name, object, extents)?;
-        self.domain
-            .shapes
-            .push((object, shape))
-            .map_err(|_| self.lexer.full("shapes of a domain"))
-    }
-
-    /// The points in the middle of the sides of a shape, and its centre where
-    /// that is not the object's position.
-    fn key_points(&mut self, name: &'t str, object: u8, [x, y]: [Extent; 2]) -> Result<(), Failed> {
-        let sides = [
-            ("left", x.low, y.middle),
-            ("right", x.high, y.middle),
-            ("bottom", x.middle, y.low),
-            ("top", x.middle, y.high),
-            ("centre", x.middle, y.middle),
-        ];
-        let count = if x.middle.is_some() { 5 } else { 4 };
-        for (part, x, y) in sides.into_iter().take(count) {
-            let offset = [x, y, None];
-            self.point(name, part, Base::Object(object), [None; 3], offset)?;
-        }
-        Ok(())
-    }
-
-    /// Reads `( expr, ... )`, the one or two sizes of a shape.
-    fn sizes(&mut self, count: usize) -> Result<[NodeId; 2], Failed> {
-        let mut sizes = [NodeId::default(); 2];
-        let mut separator = "(";
-        for size in sizes.iter_mut().take(count) {
-            self.lexer
-                .expect(separator, "expected the sizes of the shape in brackets")?;
-            separator = ",";
-            let at = self.lexer.place();
-            *size = self.expression()?;
-            let nodes = &self.domain.nodes;
-            let fits = matches!(
-                self.domain.dimension(nodes, *size),
-                None | Some(Dimension::Length)
-            ) && self.domain.dependence(nodes, *size) == Dependence::Constant;
-            if !fits {
-                return Err(self
-                    .lexer
-                    .fail_at(at, "a size is a length made of numbers and constants"));
-            }
-        }
-        self.lexer
-            .expect(")", "expected `)` behind the sizes of the shape")?;
-        Ok(sizes)
-    }
-
-    fn half(&mut self, size: NodeId) -> Result<NodeId, Failed> {
-        self.scaled(0.5, size)
-    }
-
-    fn centred(&mut self, half: NodeId) -> Result<Extent, Failed> {
-        Ok(Extent {
-            low: Some(self.scaled(-1.0, half)?),
-            middle: None,
-            high: Some(half),
-        })
-    }
-
-    fn scaled(&mut self, factor: f64, size: NodeId) -> Result<NodeId, Failed> {
-        let whole = self.domain.constant_value(&self.domain.nodes, size);
-        self.intern(Node::Number(factor * whole.unwrap_or(0.0)))
-    }
-
     #[inline(never)]
     pub(super) fn point_statement(&mut self) -> Result<(), Failed> {
         let name = self.new_name("expected the name of the point", true)?;
@@ -268,6 +155,11 @@ impl<'t> DomainParser<'_, 't> {
         Ok(())
     }
 
+    /// The group that a point belongs to.
+    pub(super) fn member_of_point(&self, point: u8) -> Option<Member> {
+        self.member(Base::Point(point))
+    }
+
     /// The group that a frame belongs to.
     fn member(&self, base: Base) -> Option<Member> {
         match base {
@@ -293,7 +185,7 @@ impl<'t> DomainParser<'_, 't> {
     }
 
     /// Turns the components of a point of the first member into those of another member.
-    fn of_member(
+    pub(super) fn of_member(
         &mut self,
         mut components: [Option<NodeId>; 3],
         index: u8,

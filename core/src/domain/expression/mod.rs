@@ -7,5 +7,4 @@ mod writer;
 
 pub use parser::MAX_DEPTH;
 pub use properties::Dependence;
-pub(super) use properties::parameter_bit;
 pub(super) use words::is_reserved;

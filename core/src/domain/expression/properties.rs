@@ -1,7 +1,7 @@
 //! What an expression measures, what it depends on, and its value if that is known.
 
 use crate::domain::node::node_at;
-use crate::domain::{Coordinate, Dimension, Domain, Node, NodeId, Quantity};
+use crate::domain::{Body, Coordinate, Dimension, Domain, Node, NodeId, Quantity};
 
 /// What an expression depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,7 +36,8 @@ impl Domain<'_> {
         match quantity {
             Quantity::Attribute(slot) => self.slot(slot).map(|(_, a)| a.dimension),
             Quantity::Coordinate(Coordinate::X | Coordinate::Y | Coordinate::Z, _)
-            | Quantity::Distance(..) => Some(Dimension::Length),
+            | Quantity::Distance(..)
+            | Quantity::Relation(..) => Some(Dimension::Length),
             Quantity::Coordinate(Coordinate::Theta, _)
             | Quantity::Angle(..)
             | Quantity::VertexAngle(..) => Some(Dimension::Angle),
@@ -53,7 +54,8 @@ impl Domain<'_> {
             Ok(Node::Quantity(quantity) | Node::Extreme(_, quantity)) => {
                 let mut points = quantity.points().into_iter().flatten();
                 let sampled = |i| self.points().get(usize::from(i)).is_some_and(|p| p.sampled);
-                match points.any(sampled) {
+                let sized = |id| self.dependence(self.nodes(), id) == Dependence::Sample;
+                match points.any(sampled) || self.sizes_of(quantity).any(sized) {
                     true => Dependence::Sample,
                     false => Dependence::Instance,
                 }
@@ -71,8 +73,35 @@ impl Domain<'_> {
         };
         match node.operands() {
             Some((a, b, _)) => self.parameters_of(nodes, a) | self.parameters_of(nodes, b),
-            None => parameter_bit(node),
+            None => self.parameters_of_leaf(node),
         }
+    }
+
+    /// The bits of a parameter, or of those in the sizes of the bodies that a term is
+    /// about; none for another term.
+    pub(in crate::domain) fn parameters_of_leaf(&self, leaf: Node) -> u32 {
+        let mut bits = parameter_bit(leaf);
+        self.quantities(leaf, &mut |quantity| {
+            for size in self.sizes_of(quantity) {
+                bits |= self.parameters_of(self.nodes(), size);
+            }
+        });
+        bits
+    }
+
+    /// The terms of the sizes of the bodies that a quantity is about.
+    fn sizes_of(&self, quantity: Quantity) -> impl Iterator<Item = NodeId> {
+        let points = match quantity {
+            Quantity::Relation(_, a, b) => [Some(a), Some(b)],
+            Quantity::Attribute(_)
+            | Quantity::Coordinate(..)
+            | Quantity::Distance(..)
+            | Quantity::Angle(..)
+            | Quantity::VertexAngle(..) => [None; 2],
+        };
+        let bodies = points.into_iter().flatten();
+        let bodies = bodies.filter_map(|point| self.body_of(point));
+        bodies.flat_map(Body::terms)
     }
 
     /// Whether a number of an instance is in an expression; numbers that points depend on
@@ -90,7 +119,11 @@ impl Domain<'_> {
     /// Whether a term is a number of an instance, or an extreme that is taken of it.
     pub(in crate::domain) fn is_about(&self, term: Node, slot: u8) -> bool {
         let mut found = false;
-        self.quantities(term, &mut |own| found |= own == Quantity::Attribute(slot));
+        self.quantities(term, &mut |own| {
+            found |= own == Quantity::Attribute(slot);
+            let mut sizes = self.sizes_of(own);
+            found |= sizes.any(|size| self.reads(self.nodes(), size, slot));
+        });
         found
     }
 
@@ -109,7 +142,7 @@ impl Domain<'_> {
 }
 
 /// The bit of a parameter; none for another term.
-pub(in crate::domain) fn parameter_bit(term: Node) -> u32 {
+fn parameter_bit(term: Node) -> u32 {
     let parameter = term.parameter();
     parameter.map_or(0, |p| 1u32.checked_shl(u32::from(p)).unwrap_or(0))
 }

@@ -2,6 +2,7 @@
 //! an unknown function all use these lists, and so agree.
 
 use crate::domain::{Coordinate, Extreme, Metric, Quantity};
+use crate::geometry::{Axis, Relation};
 
 /// What a name before brackets means.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,9 +39,27 @@ functions! {
         Some(Quantity::Angle(0, 1)),
         Some(Quantity::VertexAngle(0, 1, 2)),
     ),
+    "clear": related(Relation::Clear),
+    "inside": related(Relation::Inside),
+    "inside_x": related(Relation::InsideAlong(Axis::X)),
+    "inside_y": related(Relation::InsideAlong(Axis::Y)),
+    "inside_z": related(Relation::InsideAlong(Axis::Z)),
+    "over": related(Relation::Over),
+    "corner": related(Relation::Corner),
+    "x_in": related(Relation::Coordinate(Axis::X)),
+    "y_in": related(Relation::Coordinate(Axis::Y)),
+    "z_in": related(Relation::Coordinate(Axis::Z)),
+    "abs_x_in": related(Relation::Magnitude(Axis::X)),
+    "abs_y_in": related(Relation::Magnitude(Axis::Y)),
+    "abs_z_in": related(Relation::Magnitude(Axis::Z)),
     "area": Function::Area,
     "min": Function::Extreme(Extreme::Least),
     "max": Function::Extreme(Extreme::Greatest),
+}
+
+/// A relation of the first body to the second one.
+const fn related(relation: Relation) -> Function {
+    Function::OfPoints(Some(Quantity::Relation(relation, 0, 1)), None)
 }
 
 /// What a name behind a point and a dot means.

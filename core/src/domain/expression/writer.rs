@@ -91,7 +91,10 @@ impl Domain<'_> {
                 out.write_char('.')?;
                 out.write_str(words::name_of_coordinate(coordinate).ok_or(fmt::Error)?)
             }
-            Quantity::Distance(..) | Quantity::Angle(..) | Quantity::VertexAngle(..) => {
+            Quantity::Distance(..)
+            | Quantity::Angle(..)
+            | Quantity::Relation(..)
+            | Quantity::VertexAngle(..) => {
                 out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;
                 let mut before = "(";
                 for point in quantity.points().into_iter().flatten() {

@@ -77,6 +77,16 @@ macro_rules! tuning {
 tuning! {
     /// Bits to say that a form is one that the hypothesis named before.
     form_again: f64 = 3.0,
+    /// Where a domain has bodies, bits for a left side that is a straight distance instead of
+    /// a relation between whole bodies. Those are as they are in every frame.
+    distance_class: f64 = 1.0,
+    /// The same for a relation along one axis of a body, or an angle.
+    axis_class: f64 = 2.0,
+    /// The same for a parameter.
+    parameter_class: f64 = 3.0,
+    /// The same for a coordinate or a distance along an axis of the world, which say something
+    /// else as soon as the scene is turned.
+    world_class: f64 = 5.0,
     /// Bits for an instance that strays from a bound.
     stray: f64 = 0.7,
     /// Bits for how far it strays, per range of the form.

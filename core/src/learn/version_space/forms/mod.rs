@@ -27,9 +27,11 @@ pub(super) use step::StepView;
 use super::memory::{Capacity, Memory};
 use super::tuning::Tuning;
 use crate::domain::{
-    Dependence, Dimension, Domain, MAX_PARAMETERS, Node, NodeId, PointSet, Sample as Point, Scene,
+    Dependence, Dimension, Domain, MAX_PARAMETERS, Metric, Node, NodeId, PointSet, Quantity,
+    Sample as Point, Scene,
 };
 use crate::error::Error;
+use crate::geometry::Relation;
 use crate::grammar::{FACTORS, Features, feature_id};
 use crate::learn::{Problem, Query};
 use crate::real::Real;
@@ -79,6 +81,8 @@ pub(super) struct Forms<'m, R> {
     tracked: usize,
     /// Room for left sides.
     lhs_room: usize,
+    /// Whether the domain has bodies.
+    has_bodies: bool,
     /// Which features the right sides are.
     rhs_features: Table<'m, u16>,
     values: Values<'m, R>,
@@ -112,6 +116,7 @@ impl<'m, R: Real> Forms<'m, R> {
             used: 0,
             tracked: capacity.tracked(),
             lhs_room: capacity.lhs(),
+            has_bodies: false,
             values: Values {
                 rhs: take(&mut memory.rhs_values),
                 rhs_count: memory.rhs_features.len(),
@@ -133,6 +138,7 @@ impl<'m, R: Real> Forms<'m, R> {
     /// [`Error::CapacityExceeded`] if there is no room for any.
     pub(super) fn enumerate(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
         self.features.fill(domain, COMPLEXITY)?;
+        self.has_bodies = !domain.bodies().is_empty();
         for (own, dimension) in self.layout.lhs.iter_mut().zip(Dimension::ALL) {
             for (places, complexity) in own.iter_mut().zip(1..) {
                 let range = self.features.lhs(complexity, dimension);
@@ -380,7 +386,32 @@ impl<'m, R: Real> Forms<'m, R> {
     pub(super) fn bound_length(&self, form: &DirectedForm, named: bool) -> f64 {
         let length = self.level_length.get(usize::from(form.level));
         let length = length.copied().filter(|_| !named);
+        let length = length.map(|level| level + self.class_length(form));
         length.unwrap_or(self.tuning.form_again) + self.threshold_length()
+    }
+
+    /// What a form costs for what it measures, in bits.
+    fn class_length(&self, form: &DirectedForm) -> f64 {
+        let tuning = self.tuning;
+        let (lhs, _) = self.terms(form);
+        let node = self.features.nodes().get(usize::from(lhs.0));
+        let quantity = match node.filter(|_| self.has_bodies) {
+            Some(Node::Quantity(quantity) | Node::Extreme(_, quantity)) => quantity,
+            Some(Node::Parameter(_)) => return tuning.parameter_class,
+            _ => return 0.0,
+        };
+        match quantity {
+            Quantity::Relation(Relation::Coordinate(_), ..) => tuning.parameter_class,
+            Quantity::Relation(
+                Relation::InsideAlong(_) | Relation::Corner | Relation::Magnitude(_),
+                ..,
+            )
+            | Quantity::Angle(..)
+            | Quantity::VertexAngle(..) => tuning.axis_class,
+            Quantity::Relation(..) | Quantity::Attribute(_) => 0.0,
+            Quantity::Distance(Metric::Straight, ..) => tuning.distance_class,
+            Quantity::Distance(..) | Quantity::Coordinate(..) => tuning.world_class,
+        }
     }
 
     /// The length of a threshold's description, among those that the samples tell apart.

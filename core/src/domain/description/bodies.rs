@@ -1,0 +1,190 @@
+//! Statements that declare bodies: `shape name = solid`.
+
+use super::parser::DomainParser;
+use crate::domain::{Base, Body, Dependence, Dimension, Node, NodeId, Shape, Solid};
+use crate::text::{Failed, Place};
+
+/// Where a solid starts, has its middle and ends along an axis of its frame.
+#[derive(Clone, Copy)]
+struct Extent {
+    low: Option<NodeId>,
+    middle: Option<NodeId>,
+    high: Option<NodeId>,
+}
+
+impl<'t> DomainParser<'_, 't> {
+    #[inline(never)]
+    pub(super) fn shape_statement(&mut self) -> Result<(), Failed> {
+        let at = self.lexer.place();
+        let name = self
+            .lexer
+            .expect_name("expected the name of an object or a point")?;
+        let Some(point) = self.domain.find_point(name) else {
+            let what = match self.domain.find_object(name) {
+                Some(_) => "an object with a shape needs the attributes x and y",
+                None => "no object and no earlier point has this name",
+            };
+            return Err(self.lexer.fail_at(at, what));
+        };
+        if self.domain.body_of(point).is_some() {
+            return Err(self.lexer.fail_at(at, "this name has a shape already"));
+        }
+        self.lexer.expect("=", "expected `=` and a shape")?;
+        self.own = self.member_of_point(point).map(|member| member.group);
+        let solid = self.solid()?;
+        self.own = None;
+        self.key_shape(name, &solid)?;
+        self.bodies(point, solid)
+    }
+
+    /// Reads a solid.
+    fn solid(&mut self) -> Result<Solid, Failed> {
+        const KINDS: &str =
+            "expected a shape: circle, rectangle, box, capsule or segment, with sizes in brackets";
+        let mut solid = Solid::default();
+        let word = self.lexer.expect_name(KINDS)?;
+        match word {
+            "circle" => {
+                let [radius, ..] = self.sizes(1)?;
+                solid.radius = radius;
+                solid.centred = true;
+            }
+            "rectangle" => [solid.sizes[0], solid.sizes[1], _] = self.sizes(2)?,
+            "box" => solid.sizes = self.sizes(3)?,
+            "capsule" => [solid.sizes[0], solid.radius, _] = self.sizes(2)?,
+            "segment" => [solid.sizes[0], ..] = self.sizes(1)?,
+            _ => return Err(self.lexer.fail(KINDS)),
+        }
+        if self.lexer.accept("rounded") {
+            let at = self.lexer.place();
+            if solid.radius.is_some() {
+                return Err(self
+                    .lexer
+                    .fail_at(at, "a circle and a capsule are round already"));
+            }
+            let radius = self.terms(true)?;
+            solid.radius = Some(self.size_at(at, radius)?);
+        }
+        solid.centred |= self.lexer.accept("centred");
+        Ok(solid)
+    }
+
+    /// Reads `( expr, ... )`, one to three sizes of a solid.
+    fn sizes(&mut self, count: usize) -> Result<[Option<NodeId>; 3], Failed> {
+        let mut sizes = [None; 3];
+        let mut separator = "(";
+        for size in sizes.iter_mut().take(count) {
+            self.lexer
+                .expect(separator, "expected the sizes of the shape in brackets")?;
+            separator = ",";
+            let at = self.lexer.place();
+            let term = self.expression()?;
+            *size = Some(self.size_at(at, term)?);
+        }
+        self.lexer
+            .expect(")", "expected `)` behind the sizes of the shape")?;
+        Ok(sizes)
+    }
+
+    /// A size is a length.
+    fn size_at(&mut self, at: Place, size: NodeId) -> Result<NodeId, Failed> {
+        match self.domain.dimension(&self.domain.nodes, size) {
+            None | Some(Dimension::Length) => Ok(size),
+            Some(_) => Err(self.lexer.fail_at(at, "a size is a length")),
+        }
+    }
+
+    /// Keeps a solid of a point, or one of each member of its group.
+    fn bodies(&mut self, point: u8, solid: Solid) -> Result<(), Failed> {
+        let member = self.member_of_point(point);
+        let count = member.map_or(1, |m| self.domain.members(m.group).len());
+        for index in (0u8..).take(count) {
+            let body = Body {
+                point: point.saturating_add(index),
+                solid: Solid {
+                    sizes: self.of_member(solid.sizes, index)?,
+                    radius: self.of_member([solid.radius, None, None], index)?[0],
+                    centred: solid.centred,
+                },
+            };
+            let pushed = self.domain.bodies.push(body);
+            pushed.map_err(|_| {
+                self.lexer
+                    .full("bodies of a domain, those of every member counted")
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Gives an object with a circle or a rectangle of constant sizes its key points and
+    /// its area (thesis 4.2).
+    fn key_shape(&mut self, name: &'t str, solid: &Solid) -> Result<(), Failed> {
+        let Some(object) = self.domain.find_object(name) else {
+            return Ok(());
+        };
+        let known =
+            |id: &NodeId| self.domain.dependence(&self.domain.nodes, *id) == Dependence::Constant;
+        let (shape, extents) = match (solid.sizes, solid.radius) {
+            ([None, None, None], Some(radius)) if known(&radius) => {
+                let extent = self.centred(radius)?;
+                (Shape::Circle { radius }, [extent, extent])
+            }
+            ([Some(width), Some(height), None], None) if known(&width) && known(&height) => {
+                let halves = [self.half(width)?, self.half(height)?];
+                let extents = if solid.centred {
+                    let [width, height] = halves;
+                    [self.centred(width)?, self.centred(height)?]
+                } else {
+                    let [half_width, half_height] = halves;
+                    [(width, half_width), (height, half_height)].map(|(whole, half)| Extent {
+                        low: None,
+                        middle: Some(half),
+                        high: Some(whole),
+                    })
+                };
+                (Shape::Rectangle { width, height }, extents)
+            }
+            _ => return Ok(()),
+        };
+        self.key_points(name, object, extents)?;
+        self.domain
+            .shapes
+            .push((object, shape))
+            .map_err(|_| self.lexer.full("shapes of a domain"))
+    }
+
+    /// The points in the middle of the sides of a shape, and its centre where
+    /// that is not the object's position.
+    fn key_points(&mut self, name: &'t str, object: u8, [x, y]: [Extent; 2]) -> Result<(), Failed> {
+        let sides = [
+            ("left", x.low, y.middle),
+            ("right", x.high, y.middle),
+            ("bottom", x.middle, y.low),
+            ("top", x.middle, y.high),
+            ("centre", x.middle, y.middle),
+        ];
+        let count = if x.middle.is_some() { 5 } else { 4 };
+        for (part, x, y) in sides.into_iter().take(count) {
+            let offset = [x, y, None];
+            self.point(name, part, Base::Object(object), [None; 3], offset)?;
+        }
+        Ok(())
+    }
+
+    fn half(&mut self, size: NodeId) -> Result<NodeId, Failed> {
+        self.scaled(0.5, size)
+    }
+
+    fn centred(&mut self, half: NodeId) -> Result<Extent, Failed> {
+        Ok(Extent {
+            low: Some(self.scaled(-1.0, half)?),
+            middle: None,
+            high: Some(half),
+        })
+    }
+
+    fn scaled(&mut self, factor: f64, size: NodeId) -> Result<NodeId, Failed> {
+        let whole = self.domain.constant_value(&self.domain.nodes, size);
+        self.intern(Node::Number(factor * whole.unwrap_or(0.0)))
+    }
+}
