@@ -16,6 +16,7 @@ run() {
 for target in "$host" thumbv7em-none-eabihf thumbv6m-none-eabi; do
     run check --package critreg
     run check --package critreg --features micromath
+    run check --package critreg --features environments
     # For a program in Rust, which has a panic handler, and for those in C.
     run check --package critreg-ffi
     for features in f64 f32 micromath "f64 f32"; do

@@ -1,6 +1,5 @@
 //! Draws of the original sampler: the environment's own one, which knows of no regions.
 
-use crate::domain::MAX_PARAMETERS;
 use crate::region::Theta;
 use crate::task::{Environment, GroundOperator, Parameters, State};
 use rand_core::Rng;
@@ -28,8 +27,8 @@ pub(in crate::skill) fn proposal<E: Environment, R: Rng>(
     state: &State,
     rng: &mut R,
 ) -> Theta {
-    let drawn = completed(environment, ground, state, &[], rng);
-    let mut theta = [0.0; MAX_PARAMETERS];
+    let drawn = environment.sample(ground.operator, state, ground.objects.as_slice(), rng);
+    let mut theta = Theta::default();
     for (value, drawn) in theta.iter_mut().zip(&drawn) {
         *value = *drawn;
     }
