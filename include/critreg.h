@@ -201,9 +201,10 @@
  *     extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over a group *)
  *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" )
  *                   "(" path "," path ")"
+ *               | "angle" "(" path "," path "," path ")"    (* at the second point *)
  *               | "area" "(" name ")" ;
  *     path      = name { "." name } ;
- *     name      = letter { letter | digit | "_" } ;
+ *     name      = ( letter | "_" ) { letter | digit | "_" } ;
  *
  * An object with the attributes x and y (and z, theta or yaw, pitch, roll) is a
  * point as well. An offset is along the axes of the frame, after the turn. The
@@ -526,7 +527,7 @@
  * Bytes of a step of the longest plan, apart from its state and pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLAN_STEP_BYTES 88
+#define CRITREG_PLAN_STEP_BYTES 112
 
 /**
  * Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
@@ -1100,7 +1101,7 @@ typedef struct critreg_planner_config {
      * How many nodes are expanded and samples drawn with advice: what advise
      * postpones, what sample draws from a region or finds to be empty. If there is
      * no plan by then, planning begins anew without any, and so do the limits
-     * above. So wrong advice costs at most so much, but never a plan. Default 1024.
+     * above. So wrong advice costs at most so much, but never a plan. Default 256.
      */
     uint32_t patience;
     /**
@@ -1246,8 +1247,7 @@ typedef struct critreg_draw {
  */
 typedef struct critreg_drawn {
     /**
-     * The parameters, within their ranges; hold NAN. The planner rounds them to
-     * single precision.
+     * The parameters, within their ranges; hold NAN. execute gets just these.
      */
     double parameters[CRITREG_MAX_PARAMETERS];
     /**

@@ -22,8 +22,9 @@ pub(crate) fn uniform_real<R: Real>(rng: &mut (impl Rng + ?Sized)) -> R {
     R::from_share(rng.next_u64() >> 11)
 }
 
-/// A number uniform in `[low, high)`.
+/// A number uniform in `[low, high]`. It is `high` only by rounding, and never beyond.
 pub fn uniform_in(rng: &mut (impl Rng + ?Sized), low: f64, high: f64) -> f64 {
+    // The product is below the width, also where that is rounded up.
     low + (high - low) * uniform(rng)
 }
 
@@ -32,4 +33,44 @@ pub fn uniform_in(rng: &mut (impl Rng + ?Sized), low: f64, high: f64) -> f64 {
 pub fn below(rng: &mut (impl Rng + ?Sized), count: usize) -> usize {
     let wide = u64::from(rng.next_u32()) * (count as u64 & 0xFFFF_FFFF);
     (wide >> 32) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::convert::Infallible;
+    use rand_core::TryRng;
+
+    /// Draws nothing but the largest number.
+    struct Largest;
+
+    impl TryRng for Largest {
+        type Error = Infallible;
+
+        fn try_next_u32(&mut self) -> Result<u32, Infallible> {
+            Ok(u32::MAX)
+        }
+
+        fn try_next_u64(&mut self) -> Result<u64, Infallible> {
+            Ok(u64::MAX)
+        }
+
+        fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
+            bytes.fill(u8::MAX);
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn rounding_never_leaves_a_range() {
+        let (mut rng, mut ends) = (generator(1), 0);
+        for _ in 0..1000 {
+            let low = uniform_in(&mut rng, -1.0, 1.0);
+            let high = low + 1e-15 * uniform(&mut rng);
+            let drawn = uniform_in(&mut Largest, low, high);
+            assert!((low..=high).contains(&drawn), "{low} {high} {drawn}");
+            ends += u32::from(low < high && drawn == high);
+        }
+        assert!(ends > 0, "some are so narrow that the end is drawn");
+    }
 }

@@ -27,7 +27,7 @@ static critreg_planner *planner_for(uint32_t buttons)
     return planner;
 }
 
-/* A step, its parameters as the bits of a float. */
+/* A step, its parameters as the environment reads them: the bits of a float. */
 static void print_step(critreg_planner *planner, size_t index, const double **state)
 {
     critreg_step step;

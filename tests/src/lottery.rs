@@ -119,14 +119,14 @@ impl Lottery {
 }
 
 impl Environment for Lottery {
-    type Action = f32;
+    type Action = f64;
 
     const TYPES: &'static [ObjectType] = &TYPES;
     const PREDICATES: &'static [Predicate<Self>] = &PREDICATES;
     const CONTROLLERS: &'static [Controller<Self>] = &CONTROLLERS;
     const OPERATORS: &'static [Operator<'static>] = &OPERATORS;
 
-    fn simulate(&self, state: &mut State, seed: f32) -> Result<(), Failure> {
+    fn simulate(&self, state: &mut State, seed: f64) -> Result<(), Failure> {
         if chance(state, seed) < self.winning {
             let lot = state.attributes_mut(THE_LOT).ok_or(Failure::default())?;
             lot[2] = 1.0;
@@ -141,13 +141,13 @@ impl Describe for Lottery {
 
 /// A number in [0, 1) that depends on every bit, and on none in a way that can be told:
 /// the mixing function of SplitMix64 (Steele, Lea and Flood 2014), number by number.
-fn chance(state: &State, seed: f32) -> f64 {
+fn chance(state: &State, seed: f64) -> f64 {
     let mix = |hash: u64, number: f64| {
         let hash = (hash ^ number.to_bits()).wrapping_add(0x9E37_79B9_7F4A_7C15);
         let hash = (hash ^ hash >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         let hash = (hash ^ hash >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
         hash ^ hash >> 31
     };
-    let numbers = state.values().iter().copied().chain([f64::from(seed)]);
+    let numbers = state.values().iter().copied().chain([seed]);
     (numbers.fold(0, mix) >> 11) as f64 / (1u64 << 53) as f64
 }

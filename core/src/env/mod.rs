@@ -11,6 +11,7 @@ pub mod blocks;
 pub mod cluttered_table;
 #[cfg(feature = "environments")]
 pub mod cover;
+mod float32;
 #[cfg(feature = "environments")]
 pub mod shelf;
 pub mod stick_button;

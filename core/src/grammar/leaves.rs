@@ -1,16 +1,16 @@
-//! What a domain has to say without arithmetic: attributes, coordinates and relations
-//! of one dimension.
+//! The features without arithmetic: attributes, coordinates, and relations between
+//! points.
 //!
 //! Each function calls `visit` instead of returning an iterator: nested iterators of
 //! this kind take a kilobyte of stack, loops next to nothing.
 
 use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Quantity};
 
-/// Takes one term after the other.
+/// A function that takes one feature after the other.
 pub(super) type Visit<'v> = &'v mut dyn FnMut(Node);
 
-/// Says a quantity as the grammar does: as it is, or, if it is about a group, as the
-/// extremes over it. The first member stands for all.
+/// Visits what the grammar makes of a quantity: the quantity itself, or, if it is about
+/// the first member of a group, its extremes over the members.
 fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
     let members = domain.members_in(quantity);
     let mut members = members.iter().flatten();
@@ -61,9 +61,9 @@ pub(super) fn coordinates(
     }
 }
 
-/// Angles at a vertex between the directions to two other points, of the sample or not:
-/// where nothing has a heading, they are the angles that there are. Key points are left
-/// out, because they lie in the directions of their objects.
+/// Angles at a vertex between the directions to two other points, of the sample or not.
+/// Where nothing has a heading, there are no other angles. Key points are left out,
+/// because they lie in the directions of their objects.
 fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
     if domain.has_headings() {
         return;
@@ -90,7 +90,7 @@ pub(super) fn relations(
     visit: Visit<'_>,
 ) {
     let metrics: &[Metric] = match (dimension, domain.axes()) {
-        // On a line there is one way to measure.
+        // On a line all distances are the same.
         (Dimension::Length, 1) => &[Metric::Straight],
         (Dimension::Length, 2) => &[Metric::X, Metric::Y, Metric::Straight],
         (Dimension::Length, _) => &[Metric::X, Metric::Y, Metric::Z, Metric::Straight],
@@ -121,7 +121,7 @@ pub(super) fn relations(
     }
 }
 
-/// The sample point first, as one would say it.
+/// The sample point first, as a person would say it.
 fn ordered((a, first): (u8, &Point<'_>), (b, second): (u8, &Point<'_>)) -> (u8, u8) {
     if second.sampled && !first.sampled {
         (b, a)
@@ -136,7 +136,8 @@ mod tests {
     use crate::domain::NodeId;
     use crate::text::Lexer;
     use heapless::Vec as Nodes;
-    use std::string::String;
+    use std::format;
+    use std::string::{String, ToString};
     use std::vec::Vec;
 
     /// With headings and without, a group, a shape, and a parameter.
@@ -149,29 +150,70 @@ mod tests {
          parameter p in [0, 1]: length point q = world + (p, 0)",
     ];
 
-    #[test]
-    fn what_is_said_has_a_text_that_says_it() {
-        for text in DOMAINS {
-            let domain = Domain::parse(text).unwrap();
-            let mut said = Vec::new();
-            for dimension in Dimension::ALL {
-                attributes(&domain, dimension, &mut |term| said.push((dimension, term)));
-                for sampled in [false, true] {
-                    let mut say = |term| said.push((dimension, term));
-                    coordinates(&domain, dimension, sampled, &mut say);
-                    relations(&domain, dimension, sampled, &mut say);
-                }
+    /// What there is to say, with its dimension.
+    fn said(domain: &Domain<'_>) -> Vec<(Dimension, Node)> {
+        let mut said = Vec::new();
+        for dimension in Dimension::ALL {
+            attributes(domain, dimension, &mut |term| said.push((dimension, term)));
+            for sampled in [false, true] {
+                let mut say = |term| said.push((dimension, term));
+                coordinates(domain, dimension, sampled, &mut say);
+                relations(domain, dimension, sampled, &mut say);
             }
+        }
+        said
+    }
+
+    fn written(domain: &Domain<'_>, term: Node) -> String {
+        let mut text = String::new();
+        domain
+            .write_expression(&mut text, &[term], NodeId(0))
+            .unwrap();
+        text
+    }
+
+    #[test]
+    fn what_is_said_has_a_text_and_a_dimension() {
+        for domain in DOMAINS {
+            let domain = Domain::parse(domain).unwrap();
+            let said = said(&domain);
             assert!(said.len() > 30, "{}", said.len());
             for (dimension, term) in said {
-                let mut text = String::new();
-                let id = NodeId(0);
-                domain.write_expression(&mut text, &[term], id).unwrap();
+                let text = written(&domain, term);
                 let mut nodes: Nodes<Node, 1> = Nodes::new();
-                let read = domain.parse_expression(&mut Lexer::new(&text), &mut nodes);
-                assert_eq!((read, nodes.as_slice()), (Ok(id), &[term][..]), "{text}");
-                assert_eq!(domain.dimension(&nodes, id), Some(dimension), "{text}");
+                let id = domain.parse_expression(&mut Lexer::new(&text), &mut nodes);
+                assert_eq!(nodes.as_slice(), [term], "{text}");
+                assert_eq!(
+                    domain.dimension(&nodes, id.unwrap()),
+                    Some(dimension),
+                    "{text}"
+                );
             }
+        }
+    }
+
+    #[test]
+    fn every_function_of_the_texts_is_said() {
+        let error = Domain::parse("constant c = nothing(1): none")
+            .unwrap_err()
+            .to_string();
+        let (_, functions) = error.split_once("there are ").unwrap();
+        let texts: Vec<_> = DOMAINS
+            .into_iter()
+            .flat_map(|domain| {
+                let domain = Domain::parse(domain).unwrap();
+                let texts = said(&domain)
+                    .into_iter()
+                    .map(|(_, term)| written(&domain, term));
+                texts.collect::<Vec<_>>()
+            })
+            .collect();
+        for function in functions.split(", ") {
+            let call = format!("{function}(");
+            assert!(
+                texts.iter().any(|text| text.starts_with(&call)),
+                "{function}"
+            );
         }
     }
 }

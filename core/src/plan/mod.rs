@@ -15,14 +15,12 @@
 //! | [`Guide`] | advice to the search: keep, postpone or prune a prefix |
 //! | [`Refiner`] | backtracking over the steps of a skeleton |
 //! | [`World`], [`Sampler`] | what is planned in, and where parameters come from; [`Simulated`] is both for an [`Environment`](crate::task::Environment) |
-//! | [`Planner`] | all together |
-//! | [`crate::skill`] | learned regions as a sampler and a guide |
+//! | [`Planner`] | all together; [`GroundTask`] is what it plans, [`Room`] the memory it needs |
 //!
 //! Learned knowledge enters in two places. A sampler draws from a region instead of
 //! everything, and sees the later steps, which may narrow what is good now. A guide
 //! sees, before anything is drawn, that a prefix cannot work. Both give a reason,
-//! so that there is an answer to "why was no plan found?". [`crate::skill`] is both, for what
-//! was learned of an environment.
+//! so that there is an answer to "why was no plan found?".
 //!
 //! Knowledge may be wrong, so it has until [`Config::patience`] ends. Then planning
 //! begins anew without it: what can be solved without is solved.
@@ -31,47 +29,24 @@
 //! in the same way, on every machine.
 //!
 //! ```
-//! # use critreg::plan::{Cached, HeuristicMemory, SearchNode, Progress, SearchMemory, Step, Waiting};
-//! use critreg::task::{Atoms, Environment, GroundOperator, ground_operators};
 //! use critreg::env::stick_button::StickButton;
-//! use critreg::plan::{AbstractTask, Config, Memory, Conclusion, Planner, Simulated, Unguided};
+//! use critreg::plan::{Conclusion, Config, GroundTask, Planner, Room, Unguided};
 //! use critreg::random::generator;
 //!
 //! let environment = StickButton { angles: false };
 //! let task = environment.task(1..=1, &mut generator(3))?;
-//! let atoms = Atoms::new::<StickButton>(&task.initial)?;
-//! let mut operators: heapless::Vec<GroundOperator, 32> = heapless::Vec::new();
-//! ground_operators(StickButton::OPERATORS, &task.initial, &atoms, &mut operators)?;
-//! let goal = AbstractTask {
-//!     operators: &operators,
-//!     initial: atoms.abstract_state(&environment, &task.initial),
-//!     goal: atoms.set(task.goal.iter().copied())?,
-//! };
-//!
-//! let simulated = Simulated { environment: &environment, atoms: &atoms };
-//! let (mut world, mut sampler, mut guide) = (simulated, simulated, Unguided);
+//! let ground = GroundTask::<_, 32>::new(&environment, &task)?;
 //! let mut planner = Planner {
-//!     world: &mut world,
-//!     sampler: &mut sampler,
-//!     guide: &mut guide,
+//!     world: &mut ground.simulated(),
+//!     sampler: &mut ground.simulated(),
+//!     guide: &mut Unguided,
 //!     config: Config::default(),
 //! };
-//! # let (mut progress, mut links) = ([Progress::default(); 32], [0; 256]);
-//! # let (mut cache, mut nodes) = ([Cached::default(); 64], [SearchNode::default(); 256]);
-//! # let mut open = [Waiting::default(); 256];
-//! # let mut steps: [Step<_>; 8] = core::array::from_fn(|_| Step::default());
-//! # let (mut failures, mut reasons) = ([0; 8], []);
-//! # let memory = Memory {
-//! #     search: SearchMemory {
-//! #         heuristic: HeuristicMemory { operators: &mut progress, links: &mut links, cache: &mut cache },
-//! #         nodes: &mut nodes,
-//! #         open: &mut open,
-//! #     },
-//! #     steps: &mut steps,
-//! #     failures: &mut failures,
-//! #     reasons: &mut reasons,
-//! # };
-//! let planned = planner.plan(goal, &task.initial, generator(1), || generator(1), memory)?;
+//! // 32 ground operators, 256 nodes of the search, plans of up to 8 steps.
+//! let mut room = Room::<_, 32, 256, 8>::default();
+//! let (lots, samples) = (generator(1), || generator(1));
+//! let planned = planner.plan(ground.task(), &task.initial, lots, samples, room.lend())?;
+//!
 //! assert_eq!(planned.conclusion, Conclusion::Solved);
 //! let end = planned.steps.last().map_or(&task.initial, |step| &step.state);
 //! assert!(task.is_solved(&environment, end));
@@ -85,8 +60,10 @@ mod metrics;
 mod open;
 mod planner;
 mod refine;
+mod room;
 mod search;
 mod skeleton;
+mod task;
 mod world;
 
 pub use config::Config;
@@ -96,20 +73,8 @@ pub use metrics::{Metrics, Spent};
 pub use open::Waiting;
 pub use planner::{Conclusion, Memory, Planned, Planner};
 pub use refine::{Refinement, Refiner, Step};
+pub use room::Room;
 pub use search::{Search, SearchMemory, SearchNode};
 pub use skeleton::{MAX_SKELETON, Skeleton};
+pub use task::{AbstractTask, GroundTask};
 pub use world::{Draw, Drawn, Sampler, Simulated, World};
-
-use crate::task::{AtomSet, GroundOperator};
-
-/// A task in the abstract (a STRIPS problem). Where its ground operators come from
-/// does not matter.
-#[derive(Clone, Copy, Debug)]
-pub struct AbstractTask<'t> {
-    /// All ground operators, in the order in which they are tried.
-    pub operators: &'t [GroundOperator],
-    /// What holds in the beginning.
-    pub initial: AtomSet,
-    /// What shall hold in the end.
-    pub goal: AtomSet,
-}

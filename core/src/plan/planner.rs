@@ -1,12 +1,12 @@
 //! The planner: search, then sample.
 
-use super::AbstractTask;
 use super::config::Config;
 use super::guide::Guide;
 use super::heuristic::HeuristicMemory;
 use super::metrics::Metrics;
 use super::refine::{Refinement, Refiner, Step};
 use super::search::{Search, SearchMemory};
+use super::task::AbstractTask;
 use super::world::{Sampler, World};
 use crate::error::Error;
 use rand_core::Rng;

@@ -96,7 +96,7 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
                 attempt: step.tries + 1,
                 advised: metrics.advised.is_none(),
             };
-            let actions = done.iter().map(|step| step.actions).sum();
+            let actions = done.iter().map(|step| u64::from(step.actions)).sum();
             if self.try_step(&draw, step, actions, rng, metrics)? {
                 at += 1;
                 continue;
@@ -139,7 +139,7 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
         &mut self,
         draw: &Draw<'_, W::State>,
         step: &mut Step<W::State>,
-        actions_before: u32,
+        actions_before: u64,
         rng: &mut R,
         metrics: &mut Metrics<'_>,
     ) -> Result<bool, W::Error> {
@@ -163,9 +163,9 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
         step.actions = self
             .world
             .execute(operator, &step.parameters, before, after)?;
-        metrics.actions += u64::from(step.actions);
-        let actions = actions_before.saturating_add(step.actions);
-        if step.actions == 0 || actions > self.config.max_actions {
+        let actions = u64::from(step.actions);
+        metrics.actions += actions;
+        if actions == 0 || actions_before + actions > u64::from(self.config.max_actions) {
             return Ok(false);
         }
         for atom in step.necessary.places() {

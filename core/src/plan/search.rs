@@ -1,12 +1,12 @@
 //! The search for plan skeletons.
 
-use super::AbstractTask;
 use super::config::Config;
 use super::guide::{Advice, Guide};
 use super::heuristic::{Estimate, Estimator, HeuristicMemory};
 use super::metrics::Metrics;
 use super::open::{OpenList, Waiting};
 use super::skeleton::{MAX_SKELETON, Skeleton};
+use super::task::AbstractTask;
 use crate::error::Error;
 use crate::table::Table;
 use crate::task::AtomSet;

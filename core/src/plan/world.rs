@@ -36,7 +36,7 @@ pub trait World {
     fn execute(
         &mut self,
         operator: &GroundOperator,
-        parameters: &[f32],
+        parameters: &[f64],
         before: &Self::State,
         after: &mut Self::State,
     ) -> Result<u32, Self::Error>;
@@ -112,7 +112,7 @@ impl<E: Environment> World for Simulated<'_, E> {
     fn execute(
         &mut self,
         ground: &GroundOperator,
-        parameters: &[f32],
+        parameters: &[f64],
         before: &State,
         after: &mut State,
     ) -> Result<u32, Error> {

@@ -17,7 +17,7 @@ enum Filler {
     Only(TypeId),
     /// The only object of a type that is none of the controllers'.
     Other(TypeId),
-    /// One of all objects of a type that count, from zero; nobody if they are fewer.
+    /// One of the members of a group, from zero; nobody if they are fewer.
     Member(TypeId, usize),
     /// Likewise of those that are none of the controllers'.
     OtherMember(TypeId, usize),
@@ -37,7 +37,7 @@ struct Source {
 /// |---|---|
 /// | `button` | the controller's object of the type `button`; if it has none, that of the later one; else the only object of that type in the state |
 /// | `button2` | likewise the second object of the type |
-/// | `later_button` | the later controller's object, even if the own one has one, too |
+/// | `later_button` | the later controller's object, even if the controller has one, too |
 /// | `other_button` | the only object of the type that is none of the controllers' |
 /// | `button[4]` | a group: all objects of the type |
 /// | `other_button[4]` | a group: those that are none of the controllers' |

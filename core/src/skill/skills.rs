@@ -160,15 +160,18 @@ impl<'m> Skills<'m> {
     }
 
     /// The skills, to look up, and what each controller changes.
-    pub(super) fn parts(&self) -> (Library<'_>, &[Changes]) {
+    pub(super) fn known(&self) -> Known<'_> {
         (Library(self.skills), self.changes)
     }
 
     /// Likewise, to note more of what controllers change.
-    pub(super) fn parts_mut(&mut self) -> (Library<'_>, &mut [Changes]) {
+    pub(super) fn known_mut(&mut self) -> (Library<'_>, &mut [Changes]) {
         (Library(self.skills), self.changes)
     }
 }
+
+/// All that is known so far: the skills, and what each controller changes.
+pub(super) type Known<'a> = (Library<'a>, &'a [Changes]);
 
 /// The skills, to look up, while what controllers change is being noted.
 #[derive(Clone, Copy, Debug)]

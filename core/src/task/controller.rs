@@ -7,12 +7,11 @@ use super::state::{ObjectId, State, TypeId};
 use crate::domain::MAX_PARAMETERS;
 use heapless::Vec;
 
-/// The continuous parameters theta of an action, in single precision as the
-/// framework that recorded the reference data keeps them.
-pub type Parameters = Vec<f32, MAX_PARAMETERS>;
+/// The continuous parameters theta of an action.
+pub type Parameters = Vec<f64, MAX_PARAMETERS>;
 
 /// A function of a state and an action ((o_1, .., o_v), theta).
-pub type OfAction<E, T> = fn(&E, &State, &[ObjectId], &[f32]) -> T;
+pub type OfAction<E, T> = fn(&E, &State, &[ObjectId], &[f64]) -> T;
 
 /// A controller: a policy with objects and continuous parameters, run until a
 /// condition holds.
@@ -45,7 +44,7 @@ impl<E> Terminal<E> {
         environment: &E,
         state: &State,
         objects: &[ObjectId],
-        parameters: &[f32],
+        parameters: &[f64],
         actions: u32,
     ) -> bool {
         match self {
@@ -56,6 +55,6 @@ impl<E> Terminal<E> {
 }
 
 /// An `initiable` for controllers that can always start.
-pub fn always<E>(_: &E, _: &State, _: &[ObjectId], _: &[f32]) -> bool {
+pub fn always<E>(_: &E, _: &State, _: &[ObjectId], _: &[f64]) -> bool {
     true
 }

@@ -60,8 +60,7 @@ pub trait Environment: Sized + 'static {
     /// Draws parameters for the controller of an operator, from the state before
     /// it and the operator's objects.
     ///
-    /// Unless an environment knows better, this is uniform over the controller's
-    /// parameter space; no parameters for an unknown operator.
+    /// Unless an environment knows better, this is [`sample_uniform`].
     fn sample<G: Rng>(
         &self,
         operator: OperatorId,
@@ -69,14 +68,21 @@ pub trait Environment: Sized + 'static {
         _objects: &[ObjectId],
         rng: &mut G,
     ) -> Parameters {
-        let operator = Self::OPERATORS.get(usize::from(operator.0));
-        let controller = operator.and_then(|o| self.controller(o.controller).ok());
-        let space = controller.map_or(&[][..], |c| c.parameters);
-        let numbers = space
-            .iter()
-            .map(|[low, high]| uniform_in(rng, *low, *high) as f32);
-        gather(numbers.take(crate::domain::MAX_PARAMETERS))
+        sample_uniform::<Self>(operator, rng)
     }
+}
+
+/// Parameters uniform over the space of an operator's controller; no parameters for an
+/// unknown operator.
+pub fn sample_uniform<E: Environment>(
+    OperatorId(operator): OperatorId,
+    rng: &mut impl Rng,
+) -> Parameters {
+    let operator = E::OPERATORS.get(usize::from(operator));
+    let controller = operator.and_then(|o| E::CONTROLLERS.get(usize::from(o.controller.0)));
+    let space = controller.map_or(&[][..], |c| c.parameters);
+    let numbers = space.iter().map(|[low, high]| uniform_in(rng, *low, *high));
+    gather(numbers)
 }
 
 /// An action has no outcome, for example because of a collision.

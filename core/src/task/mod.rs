@@ -2,8 +2,6 @@
 //! [`Predicate`]s, [`Operator`]s (Definition 2) and [`Controller`]s; a [`State`] is
 //! abstracted to the [`AtomSet`] of what holds in it (Definition 1), a [`Task`] is
 //! T = (O, x_0, g), and [`try_operator`] rolls an operator out and looks at its effects.
-//!
-//! Operators and problems can also be given as text, in PDDL: see [`crate::pddl`].
 
 mod abstraction;
 mod atom;
@@ -20,7 +18,7 @@ pub use atom::{
 };
 pub use atom_set::{AtomSet, Atoms, MAX_ATOMS};
 pub use controller::{Controller, OfAction, Parameters, Terminal, always};
-pub use environment::{Environment, Failure};
+pub use environment::{Environment, Failure, sample_uniform};
 pub use operator::{ControllerId, GroundOperator, Operator, OperatorId, ground_operators};
 pub use rollout::{Ending, Rollout, rollout, rollout_from};
 pub use state::{MAX_STATE_VALUES, Naming, ObjectId, ObjectName, ObjectType, State, TypeId};

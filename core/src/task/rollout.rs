@@ -41,7 +41,7 @@ pub fn rollout<E: Environment>(
     environment: &E,
     controller: &Controller<E>,
     objects: &[ObjectId],
-    parameters: &[f32],
+    parameters: &[f64],
     start: &State,
 ) -> Rollout {
     let mut run = Rollout {
@@ -64,7 +64,7 @@ pub fn rollout_from<E: Environment>(
     environment: &E,
     controller: &Controller<E>,
     objects: &[ObjectId],
-    parameters: &[f32],
+    parameters: &[f64],
     state: &mut State,
 ) -> (u32, Ending) {
     if !(controller.initiable)(environment, state, objects, parameters) {

@@ -47,7 +47,7 @@ pub fn try_operator<E: Environment>(
     environment: &E,
     operator: &Operator<'_>,
     objects: &[ObjectId],
-    parameters: &[f32],
+    parameters: &[f64],
     start: &State,
 ) -> Trial {
     let mut trial = Trial {
@@ -69,7 +69,7 @@ pub fn try_operator_from<E: Environment>(
     environment: &E,
     operator: &Operator<'_>,
     objects: &[ObjectId],
-    parameters: &[f32],
+    parameters: &[f64],
     state: &mut State,
 ) -> (u32, Verdict) {
     let controller = environment.controller(operator.controller);
@@ -163,10 +163,10 @@ mod tests {
             arguments: &[CART],
             parameters: &[[-1.0, 1.0], [0.0, 10.0]],
             initiable: |_, _, _, theta| theta.len() == 2,
-            policy: |_, _, _, theta| theta.first().copied().map_or(0.0, f64::from),
+            policy: |_, _, _, theta| theta.first().copied().unwrap_or(0.0),
             terminal: Terminal::When(|_, state, _, theta| {
                 let end = theta.get(1);
-                end.is_some_and(|end| position(state) >= f64::from(*end))
+                end.is_some_and(|end| position(state) >= *end)
             }),
         }];
         const OPERATORS: &'static [Operator<'static>] = &[
@@ -214,7 +214,7 @@ mod tests {
         let failure = Failure {
             culprit: Some(ObjectId(0)),
         };
-        let cases: [(&[f32], Ending, u32, f64); 6] = [
+        let cases: [(&[f64], Ending, u32, f64); 6] = [
             (&[0.5, 2.0], Ending::Terminal, 4, 2.0),
             (&[0.5, 0.0], Ending::Terminal, 0, 0.0),
             (&[0.5, 9.0], Ending::Stuck, 0, 0.0),
@@ -240,7 +240,7 @@ mod tests {
         let failure = Failure {
             culprit: Some(ObjectId(0)),
         };
-        let cases: [(&Operator<'_>, [f32; 2], Verdict); 5] = [
+        let cases: [(&Operator<'_>, [f64; 2], Verdict); 5] = [
             (advance, [1.0, 2.0], Verdict::Feasible),
             (advance, [1.0, 1.0], Verdict::AddEffectMissing),
             (advance, [1.0, 9.0], Verdict::NoAction),
@@ -258,7 +258,7 @@ mod tests {
     #[test]
     fn samples_fill_the_parameter_space() {
         let mut rng = Pcg32::new(0, 0);
-        let mut largest = [f32::MIN; 2];
+        let mut largest = [f64::MIN; 2];
         for _ in 0..1000 {
             let theta = Cart.sample(OperatorId(0), &start(), &[ObjectId(0)], &mut rng);
             let &[a, b] = &*theta else { panic!() };

@@ -50,7 +50,7 @@ pub const CRITREG_NODE_BYTES: usize = 42;
 
 /// Bytes of a step of the longest plan, apart from its state and pointers; for
 /// CRITREG_PLANNER_WORDS.
-pub const CRITREG_PLAN_STEP_BYTES: usize = 88;
+pub const CRITREG_PLAN_STEP_BYTES: usize = 112;
 
 /// Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
 pub const CRITREG_PLAN_STEP_POINTERS: usize = 7;

@@ -69,8 +69,7 @@ pub struct critreg_draw {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct critreg_drawn {
-    /// The parameters, within their ranges; hold NAN. The planner rounds them to
-    /// single precision.
+    /// The parameters, within their ranges; hold NAN. execute gets just these.
     pub parameters: [f64; CRITREG_MAX_PARAMETERS],
     /// 1 if the parameters are from where they are expected to work, such as a
     /// learned region; holds 0.

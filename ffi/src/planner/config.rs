@@ -76,7 +76,7 @@ pub struct critreg_planner_config {
     /// How many nodes are expanded and samples drawn with advice: what advise
     /// postpones, what sample draws from a region or finds to be empty. If there is
     /// no plan by then, planning begins anew without any, and so do the limits
-    /// above. So wrong advice costs at most so much, but never a plan. Default 1024.
+    /// above. So wrong advice costs at most so much, but never a plan. Default 256.
     pub patience: u32,
     /// Bytes to have room for in the domain and problem text together, their NULs
     /// included. Default CRITREG_DEFAULT_PDDL_BYTES.

@@ -89,7 +89,7 @@ impl Inner {
             ..NO_STEP
         };
         for (value, own) in step.parameters.iter_mut().zip(&found.parameters) {
-            *value = f64::from(*own);
+            *value = *own;
         }
         Ok(step)
     }

@@ -74,7 +74,7 @@ impl World for Program<'_> {
     fn execute(
         &mut self,
         operator: &GroundOperator,
-        parameters: &[f32],
+        parameters: &[f64],
         before: &Numbers,
         after: &mut Numbers,
     ) -> Fallible<u32> {
@@ -82,7 +82,7 @@ impl World for Program<'_> {
         let ground = self.names.operator(operator);
         let mut theta = [0.0; MAX_PARAMETERS];
         for (value, own) in theta.iter_mut().zip(parameters) {
-            *value = f64::from(*own);
+            *value = *own;
         }
         for (value, own) in after.iter_mut().zip(before.iter()) {
             *value = *own;
@@ -137,7 +137,7 @@ impl<'a> Sampler<Program<'a>> for Draws<'_> {
         let ranges = self.program.ranges(draw.operator);
         let Some(sample) = callbacks.sample else {
             let uniform = |[low, high]: &[f64; 2]| Ok(uniform_in(rng, *low, *high));
-            return rounded(ranges.iter().map(uniform)).map(Drawn::Parameters);
+            return collect(ranges.iter().map(uniform)).map(Drawn::Parameters);
         };
         write(names, draw.skeleton, self.sequence)?;
         let told = critreg_draw {
@@ -164,7 +164,7 @@ impl<'a> Sampler<Program<'a>> for Draws<'_> {
         }
         stop_unless_ok(status, "sample")?;
         let parameters = drawn.parameters.iter().zip(ranges);
-        let checked = rounded(parameters.map(|(value, range)| check(*value, *range)));
+        let checked = collect(parameters.map(|(value, range)| check(*value, *range)));
         match drawn.informed {
             0 => checked.map(Drawn::Parameters),
             _ => checked.map(Drawn::Informed),
@@ -172,11 +172,11 @@ impl<'a> Sampler<Program<'a>> for Draws<'_> {
     }
 }
 
-/// Parameters as the planner keeps them, in single precision.
-pub(crate) fn rounded(values: impl Iterator<Item = Fallible<f64>>) -> Fallible<Parameters> {
+/// The parameters of an operator.
+fn collect(values: impl Iterator<Item = Fallible<f64>>) -> Fallible<Parameters> {
     let mut parameters = Parameters::new();
     for value in values {
-        let pushed = parameters.push(value? as f32);
+        let pushed = parameters.push(value?);
         pushed.map_err(|_| Error::CapacityExceeded("parameters of an operator"))?;
     }
     Ok(parameters)

@@ -3,7 +3,6 @@
 use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::planner::callbacks::critreg_ground;
-use crate::planner::world::rounded;
 use crate::stick_button::environment::{all_finite, environment_of};
 use core::ffi::c_void;
 use core::fmt::Write as _;
@@ -157,13 +156,12 @@ impl<'a> Scene<'a> {
             )
         };
         all_finite(theta, "a parameter")?;
-        let theta = rounded(theta.iter().map(|value| Ok(*value)))?;
         let objects = operator.controller_objects(objects)?;
         let run = rollout(
             environment,
             controller,
             objects.as_slice(),
-            &theta,
+            theta,
             &self.state,
         );
         output.write(run.state.values());

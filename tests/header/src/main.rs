@@ -116,6 +116,31 @@ fn everything_is_documented() {
     }
 }
 
+/// The rules of a grammar from one to another, without comments and blanks.
+#[cfg(test)]
+fn rules(text: &str, first: &str, last: &str) -> String {
+    let lines = text
+        .lines()
+        .map(|line| line.trim_start_matches([' ', '*', '/', '!']));
+    let from_first = lines.skip_while(|line| !line.starts_with(first));
+    let mut rules = String::new();
+    for line in from_first {
+        rules.extend(line.split("(* ").next().unwrap().split_whitespace());
+        if line.starts_with(last) {
+            return rules;
+        }
+    }
+    panic!("no rules from {first} to {last}");
+}
+
+#[test]
+fn the_header_has_the_grammar_of_the_library() {
+    let header = fs::read_to_string(committed()).unwrap();
+    let library = fs::read_to_string(file("core/src/domain/mod.rs")).unwrap();
+    let of = |text| rules(text, "domain    =", "name      =");
+    assert_eq!(of(&header), of(&library));
+}
+
 /// What the manual says about the memory of a planner is true on machines with
 /// pointers of 64 bits.
 #[test]

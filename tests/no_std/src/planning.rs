@@ -6,12 +6,12 @@ use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
 use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
 use critreg::env::stick_button::StickButton;
-use critreg::plan::{AbstractTask, Conclusion, Config, Memory, Planner, ReasonId, Simulated};
+use critreg::plan::{self, Conclusion, Config, GroundTask, Planner, ReasonId};
 use critreg::random::generator;
 use critreg::skill::{
     Changes, Describe, RegionGuide, RegionSampler, Skill, Skills, Trainer, Training, TrainingMemory,
 };
-use critreg::task::{Atoms, GroundOperator, State, Task, ground_operators};
+use critreg::task::{State, Task};
 use critreg::text::TextBuffer;
 
 /// What the caller lends and asks for. Nothing of it is known when compiling.
@@ -24,9 +24,8 @@ pub struct Room<E> {
     seed: u64,
     skills: [Option<Skill>; 8],
     changes: [Changes; 8],
-    operators: heapless::Vec<GroundOperator, 32>,
     memory: TrainingMemory<'static>,
-    planner: Memory<'static, State>,
+    planner: plan::Room<State, 32, 256, 8>,
     text: [u8; 512],
 }
 
@@ -57,29 +56,21 @@ fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {
     let mut trainer = Trainer::new(environment, room.training, room.memory);
     trainer.learn(&mut skills, room.skill, room.tasks)?;
     let task = room.tasks.first().ok_or(Error::NoRegion)?;
-    let atoms = Atoms::new::<E>(&task.initial)?;
-    ground_operators(E::OPERATORS, &task.initial, &atoms, &mut room.operators)?;
-    let goal = AbstractTask {
-        operators: &room.operators,
-        initial: atoms.abstract_state(environment, &task.initial),
-        goal: atoms.set(task.goal.iter().copied())?,
-    };
+    let ground = GroundTask::<E, 32>::new(environment, task)?;
     let mut guide = RegionGuide::new(environment, &skills, &task.initial);
     let mut planner = Planner {
-        world: &mut Simulated {
-            environment,
-            atoms: &atoms,
-        },
+        world: &mut ground.simulated(),
         sampler: &mut RegionSampler::new(environment, &skills),
         guide: &mut guide,
         config: room.config,
     };
     let lots = generator(room.seed);
     let samples = || generator(room.seed);
-    let planned = planner.plan(goal, &task.initial, lots, samples, room.planner)?;
+    let memory = room.planner.lend();
+    let planned = planner.plan(ground.task(), &task.initial, lots, samples, memory)?;
     let solved = planned.conclusion == Conclusion::Solved;
     let mut text = TextBuffer::new(&mut room.text);
     let reason = planned.metrics.main_reason().unwrap_or(ReasonId(0));
-    let explained = guide.explain(&room.operators, reason, &mut text);
+    let explained = guide.explain(&ground.operators, reason, &mut text);
     Ok(solved || explained.is_ok())
 }

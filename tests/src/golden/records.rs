@@ -35,7 +35,7 @@ pub(super) struct Trial {
     pub(super) operator: &'static str,
     pub(super) objects: Vec<&'static str>,
     /// The parameters and what came of them.
-    pub(super) cases: Vec<(Vec<f32>, char)>,
+    pub(super) cases: Vec<(Vec<f64>, char)>,
 }
 
 /// The code of a step between others whose outcome was not recorded.

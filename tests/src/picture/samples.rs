@@ -4,7 +4,7 @@
 use crate::pick::ENVIRONMENT;
 use crate::plan::record;
 use crate::plan::skills::{SkillRoom, TrainingRoom, learn};
-use crate::plan::{Grounding, Room};
+use crate::plan::{Grounding, Room, plan};
 use critreg::Error;
 use critreg::plan::{Conclusion, Planned, Unguided};
 use critreg::skill::{RegionGuide, RegionSampler, Training};
@@ -82,11 +82,11 @@ pub fn measure() -> Measured {
         let initial = &run.task.initial;
         let numbers = || generators[run.planner_seed as usize].clone();
         let unguided = (grounding.simulated(), Unguided);
-        let planned = grounding.plan(initial, unguided, numbers, &mut room);
+        let planned = plan(&grounding, initial, unguided, numbers, &mut room);
         original.push(Cost::of(planned));
         let sampler = RegionSampler::new(&ENVIRONMENT, &skills);
         let guide = RegionGuide::new(&ENVIRONMENT, &skills, initial);
-        let planned = grounding.plan(initial, (sampler, guide), numbers, &mut room);
+        let planned = plan(&grounding, initial, (sampler, guide), numbers, &mut room);
         learned.push(Cost::of(planned));
     }
     Measured {

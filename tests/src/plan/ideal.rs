@@ -97,7 +97,7 @@ impl<'w> Sampler<Simulated<'w, StickButton>> for Ideal<'_> {
         } else {
             second[0] + along - length(first)
         };
-        Ok(Drawn::Informed([mu as f32].into_iter().collect()))
+        Ok(Drawn::Informed([mu].into_iter().collect()))
     }
 }
 

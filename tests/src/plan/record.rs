@@ -24,7 +24,7 @@ pub struct Run {
     /// Actions in the plan.
     pub actions: u32,
     /// For each step the digits of its operator and its buttons, and its parameters.
-    pub plan: Vec<(String, Vec<f32>)>,
+    pub plan: Vec<(String, Vec<f64>)>,
     /// The state after the plan.
     pub end: State,
 }
@@ -78,7 +78,7 @@ fn skeleton(word: &str) -> (Vec<String>, u32) {
     (operators, samples.parse().unwrap())
 }
 
-fn step(word: &str) -> (String, Vec<f32>) {
+fn step(word: &str) -> (String, Vec<f64>) {
     let mut words = word.split(':');
     let operator = words.next().unwrap().to_string();
     (operator, words.map(|w| w.parse().unwrap()).collect())

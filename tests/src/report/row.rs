@@ -1,6 +1,6 @@
 //! A row of the table: what planning took.
 
-use crate::plan::{Grounding, Room};
+use crate::plan::{Grounding, Room, plan};
 use critreg::plan::{Conclusion, Guide, Planned, Sampler, Simulated, Unguided};
 use critreg::skill::{Describe, RegionGuide, RegionSampler, Skills};
 use critreg::task::{Environment, State, Task};
@@ -87,9 +87,9 @@ impl Row {
         numbers: impl Fn() -> R,
         room: &'m mut Room,
     ) {
-        let planned = grounding.plan(&task.initial, advice, numbers, room);
+        let planned = plan(grounding, &task.initial, advice, numbers, room);
         let planned = planned.expect("the environment does not fail");
-        self.add(grounding.environment(), task, &planned);
+        self.add(grounding.environment, task, &planned);
     }
 
     fn add<E: Environment>(&mut self, environment: &E, task: &Task, planned: &Planned<'_, State>) {

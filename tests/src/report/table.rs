@@ -130,7 +130,7 @@ fn grasps(skills: &Skills<'_>, seed: u64) -> Result<Region, Error> {
     let region = learn_region(&mut learner, &problem, |_, query| {
         let state = &states[query.instance];
         let operator = &StickButton::OPERATORS[1];
-        let mu = query.theta[0] as f32;
+        let mu = query.theta[0];
         let tried = try_operator(&ENVIRONMENT, operator, &[ROBOT, STICK], &[mu], state);
         Ok::<_, Error>(Outcome::from_feasible(tried.is_feasible()))
     });

@@ -71,6 +71,11 @@ fn wrong_planning() {
 }
 
 #[test]
+fn parameters_as_they_were_drawn() {
+    passes("parameters", &["parameters.c"]);
+}
+
+#[test]
 fn groups_of_any_number() {
     passes("groups", &["groups.c"]);
 }
@@ -139,7 +144,7 @@ fn planned_by_the_core(seed: u64) -> String {
         }
         line.push(')');
         for parameter in &step.parameters {
-            write!(line, " {}", parameter.to_bits()).unwrap();
+            write!(line, " {}", (*parameter as f32).to_bits()).unwrap();
         }
     }
     line + "\n"

@@ -249,7 +249,7 @@ fn samples_of_cover() {
         let target = targets(&task.initial).last().unwrap();
         let objects = [BLOCKS[0], TARGETS[1]];
         let (_, place) = sample(&Cover, "Place", &task.initial, &objects, rng);
-        clicks.push((f64::from(place[0]) - target.pose) / target.width);
+        clicks.push((place[0] - target.pose) / target.width);
         let mut free = blocks(&task.initial).filter(|_| task.initial.values()[10] == 0.5);
         if let Some(block) = free.next() {
             let (pick, click) = sample(&Cover, "Pick", &task.initial, &[block.object], rng);
@@ -281,7 +281,7 @@ fn samples_of_cover_regrasp() {
         for block in blocks(&task.initial).filter(|block| block.is_held()) {
             let objects = &[block.object];
             let (_, click) = sample(&CoverRegrasp, "PlaceOnTable", &task.initial, objects, rng);
-            assert_eq!(click[..], [(block.pose + block.grasp) as f32]);
+            assert_eq!(click[..], [f64::from((block.pose + block.grasp) as f32)]);
         }
     }
 }
@@ -299,7 +299,7 @@ fn samples_of_regional_bumpy_cover() {
             "PickFromSmooth"
         };
         let (pick, click) = sample(&environment, name, &task.initial, &[block.object], rng);
-        offsets.push(f64::from(click[0]) - block.pose);
+        offsets.push(click[0] - block.pose);
         let outcome = try_operator(&environment, pick, &[block.object], &click, &task.initial);
         let is_middle = is_rough && offsets[offsets.len() - 1].abs() < block.width / 6.0;
         assert_eq!(outcome.is_feasible(), !is_middle);
@@ -311,11 +311,11 @@ fn samples_of_regional_bumpy_cover() {
         let (_, click) = sample(&environment, "PlaceOnTarget", &held, &objects, rng);
         let grasp = blocks(&held).next().unwrap().grasp;
         let centred = Target::read(&held, target).unwrap().pose + grasp;
-        assert_eq!(click[..], [centred.clamp(0.0, 1.0) as f32]);
+        assert_eq!(click[..], [f64::from(centred.clamp(0.0, 1.0) as f32)]);
         // The other block leaves less of the bumpy region free.
         held.attributes_mut(BLOCKS[1]).unwrap()[3] = 0.79;
         let (_, click) = sample(&environment, "PlaceOnBumpy", &held, &[block.object], rng);
-        poses.push(f64::from(click[0]));
+        poses.push(click[0]);
     }
     assert_fills(&offsets, [-0.05, 0.05]);
     assert_fills(&poses, [0.79 + (0.1 + 0.07) / 2.0, 0.95]);

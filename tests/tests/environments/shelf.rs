@@ -25,18 +25,16 @@ fn least<const N: usize>(gaps: [f64; N]) -> f64 {
 }
 
 /// The gap of [`Shelf`]'s closed form for Pick.
-fn pick_gap(world: &World, [pitch, yaw]: [f32; 2]) -> f64 {
+fn pick_gap(world: &World, [pitch, yaw]: [f64; 2]) -> f64 {
     let [_, _, _, box_yaw, height, _] = world.item;
-    let [pitch, yaw] = [pitch, yaw].map(f64::from);
     let heel = 0.5 * height + FINGER_LENGTH * pitch.sin() - 0.5 * HAND_THICKNESS * pitch.cos();
     least([SWIVEL - (yaw - box_yaw).abs(), heel])
 }
 
 /// That for Place, with the pitch that the box is held with.
-fn place_gap(world: &World, pitch: f64, [x, y]: [f32; 2]) -> f64 {
+fn place_gap(world: &World, pitch: f64, [x, y]: [f64; 2]) -> f64 {
     let [.., height, _] = world.item;
     let [_, _, floor, width] = world.shelf;
-    let [x, y] = [x, y].map(f64::from);
     let half = 0.5 * HAND_THICKNESS;
     least([
         0.5 * width - 0.5 * HAND_WIDTH - y.abs(),
@@ -46,14 +44,14 @@ fn place_gap(world: &World, pitch: f64, [x, y]: [f32; 2]) -> f64 {
     ])
 }
 
-fn pick(state: &State, theta: [f32; 2]) -> Trial {
+fn pick(state: &State, theta: [f64; 2]) -> Trial {
     let [operator, _] = Shelf::OPERATORS else {
         panic!()
     };
     try_operator(&Shelf, operator, &[ROBOT, BOX], &theta, state)
 }
 
-fn place(state: &State, theta: [f32; 2]) -> Trial {
+fn place(state: &State, theta: [f64; 2]) -> Trial {
     let [_, operator] = Shelf::OPERATORS else {
         panic!()
     };
@@ -66,7 +64,7 @@ fn tasks(seed: u64, count: usize) -> Vec<Task> {
 }
 
 /// Parameters from the original sampler.
-fn drawn(operator: u8, state: &State, rng: &mut Generator) -> [f32; 2] {
+fn drawn(operator: u8, state: &State, rng: &mut Generator) -> [f64; 2] {
     let objects = [ROBOT, BOX, SHELF];
     let theta = Shelf.sample(OperatorId(operator), state, &objects, rng);
     theta.as_slice().try_into().unwrap()
@@ -114,7 +112,7 @@ fn holding(seed: u64, count: usize) -> Vec<(State, f64)> {
             let theta = drawn(0, &task.initial, &mut rng);
             let outcome = pick(&task.initial, theta);
             if outcome.is_feasible() {
-                return (outcome.state, f64::from(theta[0]));
+                return (outcome.state, theta[0]);
             }
         }
     });
@@ -154,7 +152,7 @@ fn every_inequality_decides_somewhere() {
         let mut world = world;
         world.robot[4] = pitch;
         (world.shelf[2], world.shelf[3]) = (SHELF_TOP - clearance, 0.4);
-        place(&world.to_state().unwrap(), theta.map(|x| x as f32)).is_feasible()
+        place(&world.to_state().unwrap(), theta).is_feasible()
     };
     let side = 0.2 - 0.5 * HAND_WIDTH;
     let pitch: f64 = 1.0;
@@ -171,9 +169,9 @@ fn every_inequality_decides_somewhere() {
 #[test]
 fn boxes_taller_than_those_of_tasks_collide_themselves() {
     let mut world = World::of(&tasks(3, 1)[0].initial).unwrap();
-    let (height, yaw) = (0.3, world.item[3] as f32);
+    let (height, yaw) = (0.3, world.item[3]);
     (world.item[2], world.item[4]) = (0.5 * height, height);
-    let try_with = |clearance: f64, pitch: f32| {
+    let try_with = |clearance: f64, pitch: f64| {
         let mut world = world;
         world.shelf[2] = SHELF_TOP - clearance;
         let picked = pick(&world.to_state().unwrap(), [pitch, yaw]);
@@ -191,10 +189,10 @@ fn boxes_taller_than_those_of_tasks_collide_themselves() {
 
 /// The pitches between which Pick then Place works at the best place, in steps.
 fn pitches(world: &World) -> Vec<f64> {
-    let yaw = world.item[3] as f32;
+    let yaw = world.item[3];
     let steps = (0..=1000).map(|i| FRAC_PI_2 * f64::from(i) / 1000.0);
     let works = steps.filter(|pitch| {
-        let gap = pick_gap(world, [*pitch as f32, yaw]);
+        let gap = pick_gap(world, [*pitch, yaw]);
         gap.min(place_gap(world, *pitch, [0.1, 0.0])) > 1e-6
     });
     works.collect()
@@ -210,7 +208,7 @@ fn every_task_has_a_plan_of_two_steps_whose_pitches_depend_on_the_task() {
         least_share = least_share.min(pitches.len() as f64 / 1001.0);
         let steepest = *pitches.last().expect("some pitch works");
         for pitch in [pitches[0], pitches[pitches.len() / 2], steepest] {
-            let picked = pick(&task.initial, [pitch as f32, world.item[3] as f32]);
+            let picked = pick(&task.initial, [pitch, world.item[3]]);
             let placed = place(&picked.state, [0.1, 0.0]);
             assert!(picked.is_feasible() && placed.is_feasible(), "{world:?}");
             assert!(task.is_solved(&Shelf, &placed.state));
@@ -230,7 +228,7 @@ fn top_down_grasps_collide_below_a_low_board() {
     let mut rng = generator(5);
     for task in tasks(5, 100) {
         let mut world = World::of(&task.initial).unwrap();
-        let yaw = world.item[3] as f32;
+        let yaw = world.item[3];
         let mut solved = |clearance: f64| {
             world.shelf[2] = SHELF_TOP - clearance;
             let picked = pick(&world.to_state().unwrap(), [1.5, yaw]);
@@ -252,7 +250,7 @@ fn half_height(task: &Task) -> f64 {
 #[test]
 fn what_does_not_work_changes_nothing() {
     let task = &tasks(6, 1)[0];
-    let yaw = World::of(&task.initial).unwrap().item[3] as f32;
+    let yaw = World::of(&task.initial).unwrap().item[3];
     let across = pick(&task.initial, [0.6, yaw + 0.5]);
     assert_eq!(across.verdict, Verdict::AddEffectMissing);
     assert_eq!(across.state, task.initial);
@@ -278,7 +276,7 @@ fn what_holds_before_between_and_after() {
             (predicate.classifier)(&Shelf, state, &objects)
         })
     };
-    let yaw = task.initial.attributes(BOX).unwrap()[3] as f32 + 0.1;
+    let yaw = task.initial.attributes(BOX).unwrap()[3] + 0.1;
     let picked = pick(&task.initial, [0.5, yaw]);
     let placed = place(&picked.state, [0.1, 0.03125]);
     assert_eq!(holds(&task.initial), [true, false, false, true]);
@@ -288,12 +286,8 @@ fn what_holds_before_between_and_after() {
     let [before, between, after] =
         [&task.initial, &picked.state, &placed.state].map(|state| World::of(state).unwrap());
     let [x, y, z, ..] = before.item;
-    assert_eq!(between.robot, [x, y, z, f64::from(yaw), 0.5]);
-    assert_eq!(
-        between.item[3],
-        f64::from(yaw),
-        "turned between the fingers"
-    );
+    assert_eq!(between.robot, [x, y, z, yaw, 0.5]);
+    assert_eq!(between.item[3], yaw, "turned between the fingers");
     let [x, y, z, ..] = after.item;
     assert_eq!(after.robot, [x, y, z, 0.0, 0.5]);
     assert_eq!(after.item[3..], [0.0, before.item[4], 0.0]);
@@ -355,7 +349,7 @@ const TRUE_REGIONS: [&str; 3] = [
 ];
 
 /// Whether a skill says that parameters work in a state.
-fn says(skill: &Skill, state: &State, own: &[ObjectId], theta: [f32; 2]) -> bool {
+fn says(skill: &Skill, state: &State, own: &[ObjectId], theta: [f64; 2]) -> bool {
     let context = Context {
         environment: &Shelf,
         state,
@@ -366,7 +360,6 @@ fn says(skill: &Skill, state: &State, own: &[ObjectId], theta: [f32; 2]) -> bool
     let mut instance = vec![0.0; skill.binding().len()];
     skill.binding().instance(&context, &mut instance).unwrap();
     let region = skill.region().expect("there is a region");
-    let theta = theta.map(f64::from);
     region
         .contains::<f64>(skill.domain(), &instance, &theta)
         .unwrap()
@@ -375,7 +368,7 @@ fn says(skill: &Skill, state: &State, own: &[ObjectId], theta: [f32; 2]) -> bool
 /// Whether Place can work after a Pick that does: at the middle of the shelf, where its
 /// parameters are in nobody's way.
 fn can_be_placed(picked: &State) -> bool {
-    place(picked, [0.5 * SHELF_DEPTH as f32, 0.0]).is_feasible()
+    place(picked, [0.5 * SHELF_DEPTH, 0.0]).is_feasible()
 }
 
 /// In new tasks, the share of drawn parameters that each skill is right about.

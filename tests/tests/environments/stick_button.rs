@@ -103,7 +103,8 @@ fn every_pick_and_press() {
         let recorded = record.pick.iter().zip(&record.pick_actions);
         assert_eq!((record.pick.len(), record.pick_actions.len()), (201, 201));
         for (i, (feasible, actions)) in recorded.enumerate() {
-            let mu = (i as f64 / 200.0) as f32;
+            // The environment rounds it, as the framework does.
+            let mu = i as f64 / 200.0;
             let outcome = try_operator(
                 &environment,
                 operator,

@@ -3,11 +3,11 @@
 use critreg::Error;
 use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, StickButton};
 use critreg::plan::{
-    Advice, Conclusion, Config, Draw, Drawn, Guide, Planned, Planner, ReasonId, Sampler, Simulated,
-    Skeleton, Spent, Unguided,
+    self, AbstractTask, Advice, Conclusion, Config, Draw, Drawn, Guide, Planned, Planner, ReasonId,
+    Sampler, Simulated, Skeleton, Spent, Unguided, World,
 };
 use critreg::random::{generator, uniform};
-use critreg::task::{GroundOperator, OperatorId, State, Task};
+use critreg::task::{Arguments, AtomSet, GroundOperator, OperatorId, Parameters, State, Task};
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::ideal::{Ideal, NO_GRASP, OUT_OF_REACH};
 use critreg_tests::plan::lower_half::LowerHalf;
@@ -441,4 +441,83 @@ fn an_error_is_passed_on_and_the_memory_stays_usable() {
     assert_eq!(results[1], Err(Error::OutOfSequence("broken")));
     assert!(matches!(results[0], Ok((Conclusion::Solved, ..))));
     assert_eq!(results[0], results[2]);
+}
+
+/// A world in which every operator takes this many actions and works.
+struct Slow(u32);
+
+impl World for Slow {
+    type State = ();
+    type Error = Error;
+
+    fn parameters(&self, _: &GroundOperator) -> Result<usize, Error> {
+        Ok(0)
+    }
+
+    fn holds(&mut self, _: u32, (): &()) -> Result<bool, Error> {
+        Ok(true)
+    }
+
+    fn execute(
+        &mut self,
+        _: &GroundOperator,
+        _: &[f64],
+        (): &(),
+        (): &mut (),
+    ) -> Result<u32, Error> {
+        Ok(self.0)
+    }
+}
+
+struct NoParameters;
+
+impl Sampler<Slow> for NoParameters {
+    fn sample<R: Rng>(&mut self, _: &Draw<'_, ()>, _: &mut R) -> Result<Drawn, Error> {
+        Ok(Drawn::Parameters(Parameters::new()))
+    }
+}
+
+/// Two operators of half of all actions that can be counted still are a plan, three are
+/// too many, as are two that take all of them.
+#[test]
+fn a_plan_has_no_more_actions_than_can_be_counted() {
+    let operators = [0, 1, 2].map(|place: u32| GroundOperator {
+        operator: OperatorId(0),
+        objects: Arguments::default(),
+        preconditions: place.checked_sub(1).map_or(AtomSet::EMPTY, AtomSet::single),
+        add_effects: AtomSet::single(place),
+        delete_effects: AtomSet::EMPTY,
+    });
+    let (half, all) = (u32::MAX / 2, u32::MAX);
+    let cases = [
+        (half, 2, true),
+        (half, 3, false),
+        (all, 1, true),
+        (all, 2, false),
+        (all, 3, false),
+    ];
+    for (actions, length, solved) in cases {
+        let mut room = plan::Room::<(), 3, 64, 3>::default();
+        let task = AbstractTask {
+            operators: &operators,
+            initial: AtomSet::EMPTY,
+            goal: AtomSet::single(length - 1),
+        };
+        let mut planner = Planner {
+            world: &mut Slow(actions),
+            sampler: &mut NoParameters,
+            guide: &mut Unguided,
+            config: Config {
+                max_actions: u32::MAX,
+                max_length: 3,
+                ..Config::default()
+            },
+        };
+        let numbers = || generator(1);
+        let planned = planner
+            .plan(task, &(), numbers(), numbers, room.lend())
+            .unwrap();
+        let is_solved = planned.conclusion == Conclusion::Solved;
+        assert_eq!(is_solved, solved, "{length} steps of {actions} actions");
+    }
 }

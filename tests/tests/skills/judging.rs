@@ -293,7 +293,7 @@ fn works(
     places.iter().all(|place| {
         let ground = &operators[usize::from(*place)];
         let operator = Cover.operator(ground).unwrap();
-        let click = [choose(ground, &state) as f32];
+        let click = [choose(ground, &state)];
         let outcome = try_operator(&Cover, operator, ground.objects.as_slice(), &click, &state);
         let worked = outcome.is_feasible();
         state = outcome.state;
@@ -330,7 +330,7 @@ fn a_place_counts_until_its_block_is_picked_again() {
             for _ in 0..20 {
                 let chance = |ground: &GroundOperator, state: &State| {
                     let objects = ground.objects.as_slice();
-                    f64::from(Cover.sample(ground.operator, state, objects, &mut rng)[0])
+                    Cover.sample(ground.operator, state, objects, &mut rng)[0]
                 };
                 assert!(
                     kept || !works(task, operators, &places, chance),

@@ -512,7 +512,7 @@ fn no_parameters_work_means_none_does() {
     let operators = StickButton::OPERATORS;
     let (pick, press) = (&operators[1], &operators[7]);
     for i in 0..=200 {
-        let mu = i as f32 / 200.0;
+        let mu = f64::from(i) / 200.0;
         let picked = try_operator(&ENVIRONMENT, pick, &[ROBOT, STICK], &[mu], &task.initial);
         let objects = [ROBOT, STICK, FIRST_BUTTON];
         let pressed = try_operator(&ENVIRONMENT, press, &objects, &[], &picked.state);

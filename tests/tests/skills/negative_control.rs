@@ -7,7 +7,7 @@ use critreg_tests::lottery::Lottery;
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom};
 use critreg_tests::report;
 
-fn wins(lottery: &Lottery, state: &State, seed: f32) -> bool {
+fn wins(lottery: &Lottery, state: &State, seed: f64) -> bool {
     let operator = &Lottery::OPERATORS[0];
     let objects: Vec<_> = state.objects().map(|(object, _)| object).collect();
     try_operator(lottery, operator, &objects, &[seed], state).is_feasible()
@@ -22,7 +22,7 @@ fn a_seed_wins_always_or_never_and_its_neighbour_as_often_as_any_other() {
         for _ in 0..100 {
             let state = lottery.task(&mut rng).unwrap().initial;
             for _ in 0..100 {
-                let seed = uniform(&mut rng) as f32;
+                let seed = uniform(&mut rng);
                 let [own, again, next] =
                     [seed, seed, seed.next_up()].map(|seed| wins(&lottery, &state, seed));
                 assert_eq!(own, again);

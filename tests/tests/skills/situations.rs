@@ -197,7 +197,7 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
     let skill = skills.get_mut(0).unwrap();
     let region = Region::parse(skill.domain(), "sx <= 0.25 and sy >= 0.5").unwrap();
     skill.set_region(Some(region));
-    let mut rng = generator(1);
+    let (mut rng, mut doubles) = (generator(1), 0);
     for task in cluttered_tasks(4).iter().take(20) {
         let grounding = Grounding::new(&ClutteredTable, task).unwrap();
         for (place, ground) in (0..).zip(&grounding.operators) {
@@ -223,9 +223,11 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
                 panic!("an approach has two ends");
             };
             assert!((0.0..=0.25).contains(&sx) && (0.5..=1.0).contains(&sy));
-            assert_eq!([ex, ey], [can[0] as f32, can[1] as f32]);
+            assert_eq!([ex, ey], [can[0], can[1]]);
+            doubles += u32::from(sx != f64::from(sx as f32));
         }
     }
+    assert!(doubles > 0, "what is drawn from a region is not rounded");
 }
 
 #[test]
@@ -240,8 +242,8 @@ fn a_situation_is_tried_with_parameters_that_are_completed() {
         let operator = ClutteredTable.operator(ground).unwrap();
         let can = cans(&situation.state).unwrap()[usize::from(objects[0].0)];
         for _ in 0..50 {
-            let start = [0, 1].map(|_| f64::from(uniform_in(&mut rng, 0.0, 1.0) as f32));
-            let all = [start[0], start[1], can[0], can[1]].map(|number| number as f32);
+            let start = [0, 1].map(|_| uniform_in(&mut rng, 0.0, 1.0));
+            let all = [start[0], start[1], can[0], can[1]];
             let works = try_operator(&ClutteredTable, operator, objects, &all, &situation.state);
             let runs = oracle.runs();
             let answer = oracle.answer(&situation, Some(&start), &mut rng);

@@ -1,14 +1,14 @@
-//! The words of expressions. The parser, the writer, the names that nothing else may
-//! have and the error for an unknown function all go by these lists, so they agree.
+//! The words of expressions. The parser, the writer, the reserved names and the error for
+//! an unknown function all use these lists, and so agree.
 
 use crate::domain::{Coordinate, Extreme, Metric, Quantity};
 
-/// What stands before brackets.
+/// What a name before brackets means.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Function {
-    /// A quantity of two points, and another one of three. The points in the list of
+    /// A quantity of two points, of three, or one of each. The points in the list of
     /// functions are 0, 1 and 2.
-    OfPoints(Quantity, Option<Quantity>),
+    OfPoints(Option<Quantity>, Option<Quantity>),
     /// The area of an object's shape.
     Area,
     /// The extreme of a quantity over the members of a group.
@@ -23,24 +23,27 @@ macro_rules! functions {
             $(($name, $function),)*
         ];
 
-        /// The error for a name that none of them has.
+        /// The error for any other name.
         pub(super) const UNKNOWN_FUNCTION: &str =
             concat!("unknown function; there are ", $first, $(", ", $name,)*);
     };
 }
 
 functions! {
-    "dist": Function::OfPoints(Quantity::Distance(Metric::Straight, 0, 1), None),
-    "dist_x": Function::OfPoints(Quantity::Distance(Metric::X, 0, 1), None),
-    "dist_y": Function::OfPoints(Quantity::Distance(Metric::Y, 0, 1), None),
-    "dist_z": Function::OfPoints(Quantity::Distance(Metric::Z, 0, 1), None),
-    "angle": Function::OfPoints(Quantity::Angle(0, 1), Some(Quantity::VertexAngle(0, 1, 2))),
+    "dist": Function::OfPoints(Some(Quantity::Distance(Metric::Straight, 0, 1)), None),
+    "dist_x": Function::OfPoints(Some(Quantity::Distance(Metric::X, 0, 1)), None),
+    "dist_y": Function::OfPoints(Some(Quantity::Distance(Metric::Y, 0, 1)), None),
+    "dist_z": Function::OfPoints(Some(Quantity::Distance(Metric::Z, 0, 1)), None),
+    "angle": Function::OfPoints(
+        Some(Quantity::Angle(0, 1)),
+        Some(Quantity::VertexAngle(0, 1, 2)),
+    ),
     "area": Function::Area,
     "min": Function::Extreme(Extreme::Least),
     "max": Function::Extreme(Extreme::Greatest),
 }
 
-/// What stands behind a point and a dot.
+/// What a name behind a point and a dot means.
 const COORDINATES: &[(&str, Coordinate)] = &[
     ("x", Coordinate::X),
     ("y", Coordinate::Y),
@@ -51,7 +54,7 @@ const COORDINATES: &[(&str, Coordinate)] = &[
 /// The number pi.
 pub(super) const PI: &str = "pi";
 
-/// Whether a name means something in any expression, whatever a domain declares.
+/// Whether a name means something in every expression, whatever a domain declares.
 pub(in crate::domain) fn is_reserved(name: &str) -> bool {
     name == PI || function(name).is_some()
 }
@@ -81,11 +84,11 @@ fn meaning<T: Copy>(words: &[(&str, T)], name: &str) -> Option<T> {
         .map(|(_, meaning)| *meaning)
 }
 
-/// The name of the function that can be this quantity of points.
+/// The name of the function that makes this quantity of points.
 pub(super) fn name_of_quantity(quantity: Quantity) -> Option<&'static str> {
     let example = quantity.with_points([0, 1, 2]);
     name(FUNCTIONS, |function| match *function {
-        Function::OfPoints(two, three) => two == example || three == Some(example),
+        Function::OfPoints(two, three) => [two, three].contains(&Some(example)),
         Function::Area | Function::Extreme(_) => false,
     })
 }
@@ -135,7 +138,7 @@ mod tests {
         for (name, function) in FUNCTIONS {
             match function {
                 Function::OfPoints(two, three) => {
-                    for quantity in [Some(*two), *three].into_iter().flatten() {
+                    for quantity in [*two, *three].into_iter().flatten() {
                         let points = quantity.points().into_iter().flatten();
                         let points: Vec<_> = points.map(|p| POINTS[usize::from(p)]).collect();
                         let text = format!("{name}({})", points.join(", "));
@@ -207,7 +210,7 @@ mod tests {
             .take_while(|line| !line.starts_with("//! path"))
             .collect();
         let rules = rules.join("\n");
-        // What is quoted stands at the odd places; what is a name is no sign.
+        // Every second piece is quoted. Some of these are signs.
         let quoted = rules.split('"').skip(1).step_by(2);
         let documented: BTreeSet<_> = quoted.filter(|word| function(word).is_some()).collect();
         let names: BTreeSet<_> = FUNCTIONS.iter().map(|(name, _)| *name).collect();

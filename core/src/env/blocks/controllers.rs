@@ -2,6 +2,7 @@
 
 use super::world::centre;
 use super::{Action, BLOCK_SIZE, BLOCK_TYPE, Blocks, REACH_X, REACH_Y, ROBOT_TYPE, TABLE_HEIGHT};
+use crate::env::float32;
 use crate::real::Real;
 use crate::task::{Controller, ControllerId, ObjectId, State, Terminal};
 
@@ -51,9 +52,10 @@ fn pick(state: &State, objects: &[ObjectId]) -> Option<Action> {
     Some(command(centre(state.get(*block)?), CLOSED))
 }
 
-fn put_on_table(parameters: &[f32]) -> Option<Action> {
+fn put_on_table(parameters: &[f64]) -> Option<Action> {
     let [u, v] = parameters else { return None };
-    let along = |[low, high]: [f64; 2], part: f32| low + (high - low) * f64::from(part);
+    let along =
+        |[low, high]: [f64; 2], part: f64| low + (high - low) * f64::from(float32::read(part));
     let z = TABLE_HEIGHT + 0.5 * BLOCK_SIZE;
     Some(command([along(REACH_X, *u), along(REACH_Y, *v), z], OPEN))
 }

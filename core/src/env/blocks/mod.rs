@@ -36,7 +36,7 @@
 //! let objects = objects.map(Option::unwrap);
 //! let picked = try_operator(&environment, pick, &objects, &[], &start).state;
 //! let [_, y, ..] = *picked.get::<7>(objects[0]).unwrap();
-//! let back = [0.5, ((y - 0.4) / 0.7) as f32];
+//! let back = [0.5, (y - 0.4) / 0.7];
 //! let outcome = try_operator(&environment, put, &objects, &back, &picked);
 //! assert!(!outcome.is_feasible(), "the held block itself is in the way");
 //! # Ok::<(), critreg::Error>(())
@@ -56,9 +56,12 @@ pub use tasks::MAX_BLOCKS;
 pub use world::{Block, World};
 
 use crate::domain::{Attribute, Dimension};
+use crate::env::float32;
 use crate::task::{
-    Controller, Environment, Failure, Naming, ObjectType, Operator, Predicate, State, TypeId,
+    Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, OperatorId,
+    Parameters, Predicate, State, TypeId, sample_uniform,
 };
+use rand_core::Rng;
 
 /// Length of a block's edges.
 pub const BLOCK_SIZE: f64 = 0.045;
@@ -90,8 +93,6 @@ pub type Action = [f32; 4];
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Blocks;
 
-/// Parameters are drawn uniformly from the controller's space, as the
-/// [`Environment`] does where nothing else is said.
 impl Environment for Blocks {
     type Action = Action;
 
@@ -102,6 +103,17 @@ impl Environment for Blocks {
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         simulate::simulate(state, action)
+    }
+
+    /// Uniform, in single precision.
+    fn sample<G: Rng>(
+        &self,
+        operator: OperatorId,
+        _: &State,
+        _: &[ObjectId],
+        rng: &mut G,
+    ) -> Parameters {
+        float32::drawn(sample_uniform::<Self>(operator, rng))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The controllers. Each is one command, which the can does not influence.
 
 use super::{Action, CAN_TYPE};
+use crate::env::float32;
 use crate::task::{Controller, ControllerId, Environment, Terminal, always};
 
 /// `Grasp(can; start x, start y, end x, end y)`: one approach, to grasp.
@@ -34,7 +35,10 @@ pub(super) const fn approach<E: Environment<Action = Action>>(name: &'static str
         arguments: &[CAN_TYPE],
         parameters: &[[0.0, 1.0]; 4],
         initiable: |_, _, _, parameters| parameters.len() == 4,
-        policy: |_, _, _, parameters| parameters.try_into().unwrap_or_default(),
+        policy: |_, _, _, parameters| match *parameters {
+            [start_x, start_y, end_x, end_y] => [start_x, start_y, end_x, end_y].map(float32::read),
+            _ => Action::default(),
+        },
         terminal: Terminal::FirstAction,
     }
 }

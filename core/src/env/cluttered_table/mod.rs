@@ -39,8 +39,8 @@
 //! let task = environment.task(&mut generator(3))?;
 //! let [grasp, _] = ClutteredTablePlace::OPERATORS else { unreachable!() };
 //! let [x, y, ..] = *task.initial.get::<5>(FIRST_CAN).unwrap();
-//! let approach = |start: [f32; 2]| {
-//!     let parameters = [start[0], start[1], x as f32, y as f32];
+//! let approach = |start: [f64; 2]| {
+//!     let parameters = [start[0], start[1], x, y];
 //!     try_operator(&environment, grasp, &[FIRST_CAN], &parameters, &task.initial)
 //! };
 //! // Through the other can, which is to blame.

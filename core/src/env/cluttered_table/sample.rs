@@ -1,6 +1,7 @@
 //! The framework's own samplers.
 
 use super::{FIRST_CAN, GRASP, PLACE};
+use crate::env::float32;
 use crate::random::uniform;
 use crate::real::Real;
 use crate::task::{ControllerId, Environment, ObjectId, OperatorId, Parameters, State};
@@ -65,6 +66,6 @@ fn position(state: &State, can: ObjectId) -> Option<[f64; 2]> {
 /// The parameters of an approach, kept within the parameter space.
 fn approach([start_x, start_y]: [f64; 2], [end_x, end_y]: [f64; 2]) -> Option<Parameters> {
     let numbers = [start_x, start_y, end_x, end_y];
-    let parameters = numbers.map(|number| Real::clamp(number, 0.0, 1.0) as f32);
-    Parameters::from_slice(&parameters).ok()
+    let parameters = numbers.map(|number| Real::clamp(number, 0.0, 1.0));
+    Parameters::from_slice(&parameters).ok().map(float32::drawn)
 }

@@ -2,6 +2,7 @@
 
 use super::Action;
 use super::world::{Block, Target, around};
+use crate::env::float32;
 use crate::random::uniform_in;
 use crate::real::Real;
 use crate::task::{
@@ -24,7 +25,11 @@ pub(super) const fn controller<E: Environment<Action = Action>>(
         parameters: &[SPACE],
         initiable: always,
         // Without a parameter it clicks nowhere, which does nothing.
-        policy: |_, _, _, parameters| parameters.first().copied().unwrap_or(Action::NAN),
+        policy: |_, _, _, parameters| {
+            parameters
+                .first()
+                .map_or(Action::NAN, |p| float32::read(*p))
+        },
         terminal: Terminal::FirstAction,
     }
 }
@@ -46,8 +51,8 @@ pub(super) fn parameters<E: Environment>(
         draw(controller, block, target)
     };
     let [low, high] = SPACE;
-    let click = click().map(|click| Real::clamp(click, low, high) as f32);
-    click.into_iter().collect()
+    let click = click().map(|click| Real::clamp(click, low, high));
+    float32::drawn(click.into_iter().collect())
 }
 
 /// Draws where to pick a block: anywhere on it.

@@ -16,8 +16,8 @@
 //! The dynamics, predicates and operators are those of the Predicators framework's
 //! environments of these names to the last bit, edge cases included; samplers and task
 //! generators draw from the same distributions, with another stream of random numbers.
-//! All numbers are double precision except for the parameters, which are rounded to
-//! single precision.
+//! All numbers are double precision except for clicks, which are rounded to single
+//! precision.
 //!
 //! # A state
 //!
@@ -63,8 +63,8 @@
 //! let [_, block] = BLOCKS;
 //! let [_, _, _, pose, ..] = *task.initial.attributes(block).unwrap() else { panic!() };
 //! let try_at = |click| try_operator(&environment, pick, &[block], &[click], &task.initial);
-//! assert!(try_at(pose as f32).is_feasible());
-//! assert!(!try_at((pose + 0.04) as f32).is_feasible(), "half the width is 0.035");
+//! assert!(try_at(pose).is_feasible());
+//! assert!(!try_at(pose + 0.04).is_feasible(), "half the width is 0.035");
 //! # Ok::<(), critreg::Error>(())
 //! ```
 

@@ -16,10 +16,7 @@ pub(super) static CONTROLLERS: [Controller<Shelf>; 2] = [
         parameters: &[[0.0, FRAC_PI_2], [-1.2, 1.2]],
         initiable: always,
         policy: |_, _, _, parameters| match *parameters {
-            [pitch, yaw] => Action::Pick {
-                pitch: pitch.into(),
-                yaw: yaw.into(),
-            },
+            [pitch, yaw] => Action::Pick { pitch, yaw },
             _ => Action::Rest,
         },
         terminal: Terminal::FirstAction,
@@ -30,10 +27,7 @@ pub(super) static CONTROLLERS: [Controller<Shelf>; 2] = [
         parameters: &[[0.0, 0.3], [-0.3, 0.3]],
         initiable: always,
         policy: |_, _, _, parameters| match *parameters {
-            [x, y] => Action::Place {
-                x: x.into(),
-                y: y.into(),
-            },
+            [x, y] => Action::Place { x, y },
             _ => Action::Rest,
         },
         terminal: Terminal::FirstAction,

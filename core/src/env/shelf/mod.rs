@@ -123,7 +123,7 @@
 //! use critreg::random::generator;
 //!
 //! let task = Shelf.task(&mut generator(1))?;
-//! let yaw = task.initial.attributes(BOX).unwrap()[3] as f32;
+//! let yaw = task.initial.attributes(BOX).unwrap()[3];
 //! let [pick, place] = Shelf::OPERATORS else { unreachable!() };
 //! for (pitch, works) in [(0.4, true), (1.5, false)] {
 //!     let picked = try_operator(&Shelf, pick, &[ROBOT, BOX], &[pitch, yaw], &task.initial);

@@ -7,6 +7,7 @@ use super::{
     Action, BUTTON_TYPE, HOLDER, HOLDER_HEIGHT, MAX_ANGULAR_SPEED, MAX_SPEED, ROBOT_TYPE,
     STICK_HEIGHT, STICK_TYPE, STICK_WIDTH, StickButton, TARGET_TOLERANCE, UPRIGHT,
 };
+use crate::env::float32;
 use crate::geometry::{Intersects, distance_squared};
 use crate::real::Real;
 use crate::task::{Controller, ControllerId, ObjectId, State, Terminal, always};
@@ -71,25 +72,23 @@ fn is_pressed(state: &State, button: Option<&ObjectId>) -> bool {
     button.is_some_and(|button| pressed(state, &[*button]) == Some(true))
 }
 
-fn pick_stick(state: &State, objects: &[ObjectId], parameters: &[f32]) -> Option<Action> {
+fn pick_stick(state: &State, objects: &[ObjectId], parameters: &[f64]) -> Option<Action> {
     let ([robot, stick], [mu]) = (objects, parameters) else {
         return None;
     };
-    let along = STICK_WIDTH * f64::from(*mu);
+    let along = STICK_WIDTH * f64::from(float32::read(*mu));
     let stick = stick_shape(state.get(*stick)?);
     let target = stick.frame.apply([along, STICK_HEIGHT / 2.0]);
     Some(press_at(state.get(*robot)?, target))
 }
 
-fn place_stick(state: &State, objects: &[ObjectId], parameters: &[f32]) -> Option<Action> {
+fn place_stick(state: &State, objects: &[ObjectId], parameters: &[f64]) -> Option<Action> {
     let ([robot, _], [offset]) = (objects, parameters) else {
         return None;
     };
+    let offset = f64::from(float32::read(*offset));
     let [x, y, _] = *state.get(HOLDER)?;
-    let target = [
-        x - HOLDER_HEIGHT / 2.0,
-        y + f64::from(*offset) * (STICK_WIDTH / 2.0),
-    ];
+    let target = [x - HOLDER_HEIGHT / 2.0, y + offset * (STICK_WIDTH / 2.0)];
     Some(press_at(state.get(*robot)?, target))
 }
 

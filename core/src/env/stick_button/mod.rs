@@ -43,10 +43,12 @@ pub use tasks::{Arrangement, MAX_BUTTONS};
 pub use world::World;
 
 use crate::domain::{Attribute, Dimension};
+use crate::env::float32;
 use crate::task::{
-    Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, Predicate, State,
-    TypeId,
+    Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, OperatorId,
+    Parameters, Predicate, State, TypeId, sample_uniform,
 };
+use rand_core::Rng;
 
 /// Size of the table along x; positions start at zero.
 pub const TABLE_WIDTH: f64 = 10.0;
@@ -118,6 +120,17 @@ impl Environment for StickButton {
 
     fn simulate(&self, state: &mut State, action: Action) -> Result<(), Failure> {
         simulate::simulate(self.angles, state.values_mut(), action).ok_or(Failure::default())
+    }
+
+    /// Uniform, in single precision.
+    fn sample<G: Rng>(
+        &self,
+        operator: OperatorId,
+        _: &State,
+        _: &[ObjectId],
+        rng: &mut G,
+    ) -> Parameters {
+        float32::drawn(sample_uniform::<Self>(operator, rng))
     }
 }
 

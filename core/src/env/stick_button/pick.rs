@@ -43,7 +43,7 @@ pub(super) fn pick(
         .get(usize::from(PICK_STICK_FROM_NOTHING.0))
         .ok_or(Error::InvalidArgument("there is no such operator"))?;
     let objects = [ROBOT, STICK];
-    let (_, verdict) = try_operator_from(environment, pick, &objects, &[*mu as f32], state);
+    let (_, verdict) = try_operator_from(environment, pick, &objects, &[*mu], state);
     Ok(verdict)
 }
 

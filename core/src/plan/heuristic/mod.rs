@@ -11,7 +11,7 @@ mod relaxation;
 pub use cache::Cached;
 pub use relaxation::{Progress, links};
 
-use super::AbstractTask;
+use super::task::AbstractTask;
 use crate::error::Error;
 use crate::task::AtomSet;
 use cache::Cache;

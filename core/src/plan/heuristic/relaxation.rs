@@ -1,6 +1,6 @@
 //! The delete relaxation of a task, and what can be reached in it.
 
-use super::super::AbstractTask;
+use super::super::task::AbstractTask;
 use crate::error::Error;
 use crate::task::{AtomSet, GroundOperator, MAX_ATOMS};
 

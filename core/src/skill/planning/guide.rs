@@ -6,7 +6,7 @@ use crate::plan::{Advice, Guide, Skeleton};
 use crate::skill::changes::Changes;
 use crate::skill::context::Context;
 use crate::skill::description::Describe;
-use crate::skill::skills::{Library, Skill, Skills};
+use crate::skill::skills::{Known, Skill, Skills};
 use crate::task::{ObjectId, State};
 
 /// A region guide: it keeps the search of a bilevel planner from sequences of operators
@@ -31,12 +31,12 @@ pub struct RegionGuide<'a, E> {
 impl<'a, E: Describe> RegionGuide<'a, E> {
     /// The guide by what is known of an environment, for a task with this initial state.
     pub fn new(environment: &'a E, skills: &'a Skills<'_>, initial: &'a State) -> Self {
-        RegionGuide::from_parts(environment, skills.parts(), initial)
+        RegionGuide::from_known(environment, skills.known(), initial)
     }
 
-    pub(in crate::skill) fn from_parts(
+    pub(in crate::skill) fn from_known(
         environment: &'a E,
-        (library, changes): (Library<'a>, &'a [Changes]),
+        (library, changes): Known<'a>,
         initial: &'a State,
     ) -> Self {
         RegionGuide {

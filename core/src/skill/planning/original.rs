@@ -1,6 +1,5 @@
 //! Draws of the original sampler: the environment's own one, which knows of no regions.
 
-use crate::domain::MAX_PARAMETERS;
 use crate::region::Theta;
 use crate::task::{Environment, GroundOperator, Parameters, State};
 use rand_core::Rng;
@@ -16,7 +15,7 @@ pub(in crate::skill) fn completed<E: Environment, R: Rng>(
     let objects = ground.objects.as_slice();
     let mut parameters = environment.sample(ground.operator, state, objects, rng);
     for (value, given) in parameters.iter_mut().zip(first) {
-        *value = *given as f32;
+        *value = *given;
     }
     parameters
 }
@@ -28,10 +27,10 @@ pub(in crate::skill) fn proposal<E: Environment, R: Rng>(
     state: &State,
     rng: &mut R,
 ) -> Theta {
-    let drawn = completed(environment, ground, state, &[], rng);
-    let mut theta = [0.0; MAX_PARAMETERS];
+    let drawn = environment.sample(ground.operator, state, ground.objects.as_slice(), rng);
+    let mut theta = Theta::default();
     for (value, drawn) in theta.iter_mut().zip(&drawn) {
-        *value = f64::from(*drawn);
+        *value = *drawn;
     }
     theta
 }

@@ -36,10 +36,10 @@ enum Tried {
 impl<'a, E: Describe> Oracle<'a, E> {
     /// An oracle that draws parameters that are free from what is known so far.
     pub fn new(environment: &'a E, skills: &'a mut Skills<'_>) -> Self {
-        Oracle::from_parts(environment, skills.parts_mut())
+        Oracle::from_known(environment, skills.known_mut())
     }
 
-    pub(super) fn from_parts(
+    pub(super) fn from_known(
         environment: &'a E,
         (library, changes): (Library<'a>, &'a mut [Changes]),
     ) -> Self {

@@ -6,10 +6,9 @@ use super::situation::{MAX_CHAIN, Situation, controller_objects};
 use crate::error::Error;
 use crate::plan::{AbstractTask, Conclusion, Config, Memory, Planner, Simulated};
 use crate::random::generator;
-use crate::skill::changes::Changes;
 use crate::skill::description::{Describe, Description};
 use crate::skill::planning::{RegionGuide, RegionSampler};
-use crate::skill::skills::Library;
+use crate::skill::skills::Known;
 use crate::task::{
     Arguments, AtomSet, Atoms, ControllerId, GroundOperator, State, Task, ground_operators,
 };
@@ -23,7 +22,7 @@ type Chain = Vec<GroundOperator, MAX_CHAIN>;
 pub(super) struct RestrictedTask<'t, 'o, E> {
     environment: &'t E,
     /// What is known so far.
-    known: (Library<'t>, &'t [Changes]),
+    known: Known<'t>,
     initial: &'t State,
     atoms: Atoms,
     operators: &'o [GroundOperator],
@@ -37,7 +36,7 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
     /// [`Error::CapacityExceeded`] if the atoms or ground operators find no room.
     pub(super) fn new(
         environment: &'t E,
-        known: (Library<'t>, &'t [Changes]),
+        known: Known<'t>,
         task: &'t Task,
         candidate: Candidate,
         operators: &'o mut VecView<GroundOperator>,
@@ -121,7 +120,7 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
                     atoms: &self.atoms,
                 },
                 sampler: &mut RegionSampler::from_library(self.environment, self.known.0),
-                guide: &mut RegionGuide::from_parts(self.environment, self.known, self.initial),
+                guide: &mut RegionGuide::from_known(self.environment, self.known, self.initial),
                 config: Config::default(),
             };
             let task = AbstractTask {

@@ -12,9 +12,8 @@ use crate::error::Error;
 use crate::learn::{Capacity, Config, Learner, Outcome, Problem, VersionSpace, learn_region};
 use crate::random::{Generator, generator};
 use crate::region::Region;
-use crate::skill::changes::Changes;
 use crate::skill::description::Describe;
-use crate::skill::skills::{Library, Skill, Skills};
+use crate::skill::skills::{Known, Library, Skill, Skills};
 use crate::skill::tuning::ROUNDS;
 use crate::table::swap_rows;
 use crate::task::Task;
@@ -39,7 +38,7 @@ pub struct Trainer<'t, 'm, E> {
 struct Lesson<'s> {
     skill: &'s Skill,
     /// What is known so far.
-    known: (Library<'s>, &'s [Changes]),
+    known: Known<'s>,
     tasks: &'s [Task],
 }
 
@@ -83,7 +82,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
         index: usize,
         tasks: &[Task],
     ) -> Result<Learned, Error> {
-        let (library, changes) = skills.parts_mut();
+        let (library, changes) = skills.known_mut();
         let skill = library.get(index).ok_or(NO_SKILL)?;
         let lesson = Lesson {
             skill,
@@ -91,7 +90,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
             tasks,
         };
         let mut learned = self.collect(lesson, self.criteria(skill))?;
-        let mut oracle = Oracle::from_parts(self.environment, (library, changes));
+        let mut oracle = Oracle::from_known(self.environment, (library, changes));
         let mut rng = generator(self.training.learner.seed ^ index as u64);
         if !skill.has_parameters() {
             let found = self.memory.situations.get_mut(..learned.situations);
@@ -128,7 +127,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
         let skill = skills.get(index).ok_or(NO_SKILL)?;
         let lesson = Lesson {
             skill,
-            known: skills.parts(),
+            known: skills.known(),
             tasks,
         };
         let criteria = Criteria {
