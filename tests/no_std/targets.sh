@@ -26,6 +26,7 @@ check_ffi() {
 for target in "$host" thumbv7em-none-eabihf thumbv6m-none-eabi; do
     check --package critreg
     check --package critreg --features micromath
+    check --package critreg --features environments
     check_ffi
     echo "$target: core and the C interface, in every precision"
 done

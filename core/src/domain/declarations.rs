@@ -39,7 +39,7 @@ pub struct Object<'t> {
     pub name: &'t str,
     /// Index of its type.
     pub type_index: u8,
-    /// To which group it belongs.
+    /// The group that it belongs to.
     pub member: Option<Member>,
     /// Index of its first attribute in an instance.
     pub first_slot: u8,
@@ -98,7 +98,7 @@ pub struct Point<'t> {
     pub offset: [Option<NodeId>; 3],
     /// Whether it depends on a parameter.
     pub sampled: bool,
-    /// To which group it belongs, with the object it is placed in.
+    /// The group that it and the object it is placed in belong to.
     pub member: Option<Member>,
 }
 
@@ -115,8 +115,8 @@ impl Point<'_> {
     }
 }
 
-/// Objects of one type under one name. Members stand one behind the other, among
-/// the objects, in an instance, and in each kind of point that they have.
+/// Objects of one type under one name. The members follow one another among the objects,
+/// and their numbers and points follow one another in the same order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Group {
     /// Index of the first member among the objects.
@@ -125,7 +125,7 @@ pub struct Group {
     pub count: u8,
 }
 
-/// To which group an object or point belongs.
+/// The group of an object or point, and its place there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Member {
     /// Index of the group.
@@ -160,7 +160,7 @@ pub(super) struct PoseSlots {
 }
 
 impl PoseSlots {
-    /// Finds them by name among attributes that start at `first_slot`.
+    /// Finds the slots by name among attributes that start at `first_slot`.
     pub(super) fn find(attributes: &[Attribute<'_>], first_slot: u8) -> PoseSlots {
         let mut pose = PoseSlots::default();
         for (attribute, slot) in attributes.iter().zip(first_slot..) {

@@ -1,10 +1,10 @@
 //! Groups: "for all objects of a type", with any number of them in an instance.
 //!
-//! `object obstacle[6]: block` declares a group of up to six members. Each is an
-//! object like any other; only they share one name, so that nothing can be said of
-//! a single one. What is said is the least or the greatest over the members that
-//! are there: "the nearest obstacle is at least 0.2 away" holds for all of them,
-//! however many there are, and so one region serves every instance.
+//! `object obstacle[6]: block` declares a group of up to six members. Each member is an
+//! object like any other, but all have one name, so a text cannot speak of a single one.
+//! It speaks of the least or the greatest value over the members that are there. "The
+//! nearest obstacle is at least 0.2 away" then holds for all of them, however many there
+//! are, and so one region serves every instance.
 
 use super::declarations::{Member, Object};
 use super::node::{Node, NodeId, Quantity, TermError, intern, node_at};
@@ -33,7 +33,7 @@ impl<'t> Domain<'t> {
         self.points.get(usize::from(point))?.member
     }
 
-    /// What a quantity of a group is for each member, with that member.
+    /// Each member of the group that a quantity is about, with the quantity of that member.
     pub(super) fn of_members(
         &self,
         quantity: Quantity,
@@ -44,8 +44,8 @@ impl<'t> Domain<'t> {
         members.iter().zip(quantities)
     }
 
-    /// Visits the quantities that a term looks up: the one that it is, or those of all
-    /// members of which it is the extreme.
+    /// Visits the quantities that a term needs: itself, if it is one, or those of all
+    /// members over which it takes the extreme.
     pub(super) fn quantities(&self, term: Node, visit: &mut dyn FnMut(Quantity)) {
         match term {
             Node::Quantity(quantity) => visit(quantity),
@@ -64,7 +64,7 @@ impl<'t> Domain<'t> {
         }
     }
 
-    /// What a quantity of the first member of a group is for another member.
+    /// Turns a quantity of the first member of a group into that of another member.
     pub(super) fn of_member(&self, quantity: Quantity, index: u8) -> Quantity {
         match quantity.slot() {
             Some(slot) => Quantity::Attribute(self.slot_of_member(slot, index)),
@@ -78,8 +78,8 @@ impl<'t> Domain<'t> {
         }
     }
 
-    /// What a term about the first member of a group is for another member; it is added
-    /// to those of the domain.
+    /// Turns a term about the first member of a group into one about another member, and
+    /// adds it to the terms of the domain.
     pub(super) fn term_of_member(&mut self, id: NodeId, index: u8) -> Result<NodeId, TermError> {
         let node = node_at(&self.nodes, id)?;
         let term = match (node.operands(), node.quantity()) {

@@ -77,8 +77,8 @@ impl<'t> Domain<'t> {
 }
 
 impl Object<'_> {
-    /// Whether an instance has it: a member of a group that is absent has NaN for
-    /// each of its numbers.
+    /// Whether an instance has this object: a member of a group that is absent has NaN
+    /// for each of its numbers.
     pub(super) fn is_present(&self, instance: &[f64]) -> bool {
         let first = instance.get(usize::from(self.first_slot));
         self.member.is_none() || first.is_some_and(|number| !number.is_nan())

@@ -1,7 +1,7 @@
 //! What a planner knows of an action (thesis 4.1.1), for learning: a [`Domain`] has
 //! types, objects with attributes, constants, the parameters of the action, and points.
 //! [`Node`]s are terms over it; a [`Scene`] puts an instance into them, a [`Sample`]
-//! parameters. What a planner does with its world is in [`mod@crate::task`].
+//! parameters.
 //!
 //! # The domain text
 //!
@@ -10,7 +10,7 @@
 //! statement = type | object | constant | parameter | shape | point ;
 //! type      = "type" name attributes ;
 //! object    = "object" named ( attributes | { "," named } ":" name ) ;
-//! named     = name [ "[" number "]" ] ;                      (* a group of so many members *)
+//! named     = name [ "[" number "]" ] ;                      (* a group of this many members *)
 //! attributes= "{" [ name ":" dimension { "," name ":" dimension } ] "}" ;
 //! dimension = "length" | "angle" | "area" | "flag" | "none" ;
 //! constant  = "constant" path "=" expr ":" dimension ;
@@ -67,8 +67,8 @@
 //! # Ok::<(), critreg::Error>(())
 //! ```
 //!
-//! Over no members the least value is infinite and the greatest minus infinite, so
-//! that "at least" and "at most" hold of nothing.
+//! Over no members the least value is infinite and the greatest minus infinite. So where
+//! no member is there, a least value is above every bound, and a greatest one below.
 
 mod algebra;
 mod declarations;

@@ -39,8 +39,8 @@ pub enum Metric {
     Straight,
 }
 
-/// A number that an instance and a sample have for an object or for points. Of the
-/// members of a group it names the first one, which stands for each of them.
+/// A number that belongs to an object or to points, in an instance and at a sample. A
+/// quantity of a group names the first member, which stands for each of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// An attribute of an object, by its place in an instance.
@@ -68,7 +68,7 @@ impl Quantity {
         }
     }
 
-    /// The points that it is about.
+    /// The points that it depends on.
     pub(super) fn points(self) -> [Option<u8>; 3] {
         match self {
             Quantity::Attribute(_) => [None; 3],
@@ -78,7 +78,7 @@ impl Quantity {
         }
     }
 
-    /// The same of other points, of which it takes as many as it has.
+    /// The same quantity of other points; it takes as many of them as it needs.
     pub(super) fn with_points(self, [a, b, c]: [u8; 3]) -> Quantity {
         match self {
             Quantity::Attribute(slot) => Quantity::Attribute(slot),
@@ -127,9 +127,10 @@ const _: () = assert!(
 /// Makes a term of two operands.
 type Operation = fn(NodeId, NodeId) -> Node;
 
-/// What a term is: each question is answered for every kind of term, once.
+/// Questions about terms. Each is answered here, once, for every kind of term.
 impl Node {
-    /// The operands of a sum, difference or product, and what makes one of others.
+    /// The operands of a sum, difference or product, and a function that makes the same
+    /// of other operands.
     pub(crate) fn operands(self) -> Option<(NodeId, NodeId, Operation)> {
         match self {
             Node::Sum(a, b) => Some((a, b, Node::Sum)),
@@ -144,7 +145,7 @@ impl Node {
         }
     }
 
-    /// The parameter that it is.
+    /// Its index, if it is a parameter.
     pub(super) fn parameter(self) -> Option<u8> {
         match self {
             Node::Parameter(parameter) => Some(parameter),
@@ -159,8 +160,8 @@ impl Node {
         }
     }
 
-    /// Whether its value is given: by itself, the domain or an instance. All others need
-    /// a pose, parameters or operands.
+    /// Whether the text, the domain or an instance gives its value. Other terms need a
+    /// pose, parameters or operands.
     pub(super) fn is_given(self) -> bool {
         match self {
             Node::Number(_) | Node::Constant(_) | Node::Area(_) => true,
@@ -173,7 +174,7 @@ impl Node {
         }
     }
 
-    /// The quantity that it is, as it is: not the extreme of one.
+    /// The quantity, if the term is one, and not the extreme of one.
     pub(super) fn quantity(self) -> Option<Quantity> {
         match self {
             Node::Quantity(quantity) => Some(quantity),
@@ -210,8 +211,8 @@ impl Extreme {
         }
     }
 
-    /// The value over nothing: infinite, so that "at least" of a least value and
-    /// "at most" of a greatest one hold.
+    /// The value over nothing: infinite, so that "at least" holds of a least value and
+    /// "at most" of a greatest one.
     pub fn of_nothing<R: Real>(self) -> R {
         match self {
             Extreme::Least => R::INFINITY,
@@ -220,7 +221,8 @@ impl Extreme {
     }
 }
 
-/// Why a list of terms is of no use; small, because expressions are walked recursively.
+/// What is wrong with a list of terms. It is small because recursive functions return
+/// it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TermError {
     /// A list is full.

@@ -1,12 +1,12 @@
-//! Sets of points: what a region or learner speaks about.
+//! Sets of points: those that a region or a learner needs.
 
 use super::declarations::{Base, Point, PoseSlots};
 use super::expression::parameter_bit;
 use super::node::Node;
 use super::schema::{Domain, MAX_POINTS};
 
-/// A set of points of a domain, with the points they are placed in. Those that move
-/// with a parameter are kept apart.
+/// A set of points of a domain, with all points that these are placed in. Points that
+/// move with a parameter are kept apart.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PointSet {
     pub(super) fixed: Bits,
@@ -27,8 +27,7 @@ impl PointSet {
             .fold(PointSet::default(), |set, (i, _)| set.with(domain, i))
     }
 
-    /// The points that a list of nodes speaks about; all members' where it speaks
-    /// of a group.
+    /// The points that a list of nodes depends on; for a group, those of all members.
     pub fn of(domain: &Domain<'_>, nodes: &[Node]) -> PointSet {
         let mut set = PointSet::default();
         for node in nodes {
@@ -54,7 +53,7 @@ impl PointSet {
         })
     }
 
-    /// Whether a number of an instance counts for these points or a list of nodes.
+    /// Whether these points or a list of nodes depend on a number of an instance.
     pub(crate) fn reads(self, domain: &Domain<'_>, nodes: &[Node], slot: u8) -> bool {
         let places = |point: &Point<'_>| {
             let pose = match point.base {

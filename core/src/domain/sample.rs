@@ -14,7 +14,7 @@ use heapless::Vec;
 struct Placed<A> {
     origin: [A; 3],
     turn: Turn,
-    /// Whether its rotation is one of the sample, and not of the scene.
+    /// Whether its rotation is in the list of the sample, and not in that of the scene.
     turns_itself: bool,
 }
 
@@ -32,14 +32,14 @@ impl<'a, R: Real> Scene<'a, R> {
     /// The scene at a sample; `theta` has one entry per parameter.
     pub fn sample<'s, A: Algebra<R>>(&'s self, theta: &'s [A]) -> Sample<'s, 'a, R, A> {
         let mut sample = Sample::blank(self, theta);
-        sample.settle();
+        sample.place_points();
         sample
     }
 }
 
 impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
-    /// As [`Scene::sample`], to be completed in place by [`Sample::settle`], which saves
-    /// moving the points.
+    /// As [`Scene::sample`], still without points: [`Sample::place_points`] adds them in
+    /// place, so that nothing large is moved.
     pub(crate) fn blank(scene: &'s Scene<'a, R>, theta: &'s [A]) -> Self {
         Sample {
             scene,
@@ -50,7 +50,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 
     #[inline(never)]
-    pub(crate) fn settle(&mut self) {
+    pub(crate) fn place_points(&mut self) {
         for index in self.scene.points.sampled.iter() {
             if let Some(point) = self.scene.domain.points().get(usize::from(index)) {
                 let placed = self.place(point);
@@ -68,7 +68,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         }
     }
 
-    /// The first of two expressions minus the second, which mostly is a mere number.
+    /// The first of two expressions minus the second, which is mostly given.
     #[inline(never)]
     pub(crate) fn difference(&self, nodes: &[Node], [left, right]: [NodeId; 2]) -> A::Measure {
         let mut left = self.measure(nodes, left);
@@ -81,8 +81,8 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         }
     }
 
-    /// As [`Sample::measure`], with one member of a group in place of all where
-    /// `chosen` has one for an extreme: by its place among those the instance has.
+    /// As [`Sample::measure`], but an extreme for which `chosen` names a member has the
+    /// value of that member: its place among the members that the instance has.
     pub(crate) fn measure_choosing(
         &self,
         nodes: &[Node],
@@ -99,7 +99,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         }
     }
 
-    /// How many members of its group the instance has for a quantity.
+    /// How many members the instance has of the group that a quantity is about.
     pub(crate) fn member_count(&self, quantity: Quantity) -> usize {
         self.scene.of_members(quantity).count()
     }
@@ -192,7 +192,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         A::angle(to_a, to_b)
     }
 
-    /// Where a sample point is; `None` for a point that is none.
+    /// Where a sample point is; `None` for any other point.
     fn placed(&self, point: u8) -> Option<&Placed<A>> {
         let sampled = self.scene.points.sampled;
         sampled
@@ -235,7 +235,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         }
     }
 
-    /// The list that a turn is one of.
+    /// The list of rotations that a turn refers to.
     fn list(&self, own: bool) -> &[R] {
         if own {
             &self.rotations

@@ -1,5 +1,5 @@
 //! Putting numbers into expressions, in two steps: an instance makes a [`Scene`],
-//! parameters make a [`Sample`] of it. What an instance settles (the poses of
+//! parameters make a sample of it. What depends on the instance only (the poses of
 //! objects and key points, and all their sines and cosines) is computed once.
 
 use super::algebra::{Algebra, Arithmetic};
@@ -17,8 +17,8 @@ use heapless::Vec;
 pub const MAX_SAMPLE_POINTS: usize = 6;
 
 /// Most numbers for the rotations of a scene: two for each object or turned point, if
-/// it is turned about the z axis, nine if it is tilted. Points that are turned as what
-/// they are placed in need none.
+/// it is turned about the z axis, nine if it is tilted. A point that is turned like its
+/// base needs none.
 const MAX_TURN_NUMBERS: usize = 3 * MAX_OBJECTS;
 
 /// A domain in one problem instance: every pose that needs no parameters.
@@ -27,9 +27,9 @@ pub struct Scene<'a, R> {
     pub(super) domain: &'a Domain<'a>,
     instance: &'a [f64],
     pub(super) points: PointSet,
-    /// Of the points that do not depend on the parameters.
+    /// The origins of the points that do not depend on the parameters.
     pub(super) origins: Vec<[R; 3], MAX_POINTS>,
-    /// An index each and no rotation: the usual point is turned like its base.
+    /// Where the rotation of each such point is: most points share that of their base.
     turns: Vec<Turn, MAX_POINTS>,
     pub(super) rotations: Vec<R, MAX_TURN_NUMBERS>,
 }
@@ -48,12 +48,12 @@ impl<'a, R: Real> Scene<'a, R> {
         points: PointSet,
     ) -> Result<Self, Error> {
         let mut scene = Scene::blank(domain, instance, points);
-        scene.settle()?;
+        scene.place_points()?;
         Ok(scene)
     }
 
-    /// As [`Scene::new`], to be completed in place by [`Scene::settle`], which saves
-    /// moving the points.
+    /// As [`Scene::new`], still without points: [`Scene::place_points`] adds them in
+    /// place, so that nothing large is moved.
     pub(crate) fn blank(domain: &'a Domain<'a>, instance: &'a [f64], points: PointSet) -> Self {
         Scene {
             domain,
@@ -65,7 +65,7 @@ impl<'a, R: Real> Scene<'a, R> {
         }
     }
 
-    pub(crate) fn settle(&mut self) -> Result<(), Error> {
+    pub(crate) fn place_points(&mut self) -> Result<(), Error> {
         self.domain.check_instance(self.instance)?;
         if self.points.sampled.iter().nth(MAX_SAMPLE_POINTS).is_some() {
             return Err(Error::CapacityExceeded("points that depend on a parameter"));
@@ -137,8 +137,8 @@ impl<'a, R: Real> Scene<'a, R> {
         }
     }
 
-    /// How the object of a point is turned. The points of its shape are turned as it is
-    /// itself, which needs no second rotation.
+    /// How the object of a point is turned. The points of its shape share the rotation of
+    /// the object.
     fn object_turn(&mut self, point: &Point<'_>, object: u8) -> Result<Turn, Error> {
         if !is_zero(&point.offset) {
             let earlier = self.points.fixed.iter().zip(&self.turns);
@@ -161,7 +161,7 @@ impl<'a, R: Real> Scene<'a, R> {
         }
     }
 
-    /// The value of an offset or turn; these never speak about points.
+    /// The value of an offset or turn, which never depends on points.
     pub(super) fn offset_term<A: Algebra<R>>(&self, id: Option<NodeId>, theta: &[A]) -> A {
         let Some(id) = id else {
             return A::constant(R::ZERO);
@@ -223,14 +223,14 @@ impl<'a, R: Real> Scene<'a, R> {
         }
     }
 
-    /// What a quantity of a group is for each member that the instance has.
+    /// The quantity of each member that the instance has.
     pub(super) fn of_members(&self, quantity: Quantity) -> impl Iterator<Item = Quantity> + '_ {
         let members = self.domain.of_members(quantity);
         let present = members.filter(|(member, _)| member.is_present(self.instance));
         present.map(|(_, quantity)| quantity)
     }
 
-    /// The value of a term that is given; NaN for another one.
+    /// The value of a term whose value is given; NaN for any other term.
     pub(super) fn given(&self, term: &Node) -> R {
         match *term {
             Node::Number(value) => R::from_f64(value),

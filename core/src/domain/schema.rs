@@ -27,8 +27,8 @@ pub const MAX_SHAPES: usize = 16;
 /// Most terms in the offsets, turns and sizes of all points and shapes together.
 pub const MAX_DOMAIN_NODES: usize = 128;
 
-/// Everything the learner may speak about. Made from text by
-/// [`Domain::parse`]; it borrows the names from that text.
+/// Everything that features and regions can speak of. [`Domain::parse`] makes it from a
+/// text, from which it borrows the names.
 #[derive(Clone, Debug)]
 pub struct Domain<'t> {
     pub(super) types: Vec<Type<'t>, MAX_TYPES>,
@@ -46,7 +46,7 @@ pub struct Domain<'t> {
 }
 
 impl<'t> Domain<'t> {
-    /// A domain in which there is nothing.
+    /// A domain that declares nothing.
     pub const fn empty() -> Domain<'t> {
         Domain {
             types: Vec::new(),

@@ -8,14 +8,14 @@ use heapless::VecView;
 /// How a point is turned: where its rotation stands in a list of numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Turn {
-    /// As the world.
+    /// Like the world.
     World,
     /// About the z axis: a cosine and a sine.
     Planar(u8),
     /// About any axis: nine numbers, by rows.
     Tilted(u8),
-    /// In a way that varies and that an algebra cannot follow: it can with numbers
-    /// only.
+    /// Unknown: the rotation varies with the parameters, which only the algebra of
+    /// numbers can follow.
     Unknown,
 }
 

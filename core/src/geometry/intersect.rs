@@ -3,7 +3,7 @@
 //! Those of plane shapes are the tests of the Predicators framework, with its choices
 //! at the boundary: circles and crossing sides must overlap (strict), while points on a
 //! rim or a side count as inside (closed). Each of them begins with the circles
-//! around the shapes, which settles most pairs without a look at any side.
+//! around the shapes, which decides most pairs without a look at any side.
 
 use super::shape::{Circle, Rectangle, Segment};
 use super::vector::{Vector2, between, distance, distance_squared};

@@ -1,21 +1,4 @@
-//! The features that the grammar makes of a domain (thesis 4.2), simple ones first.
-//!
-//! | complexity | features |
-//! |---|---|
-//! | 1 | attributes, constants, parameters, coordinates of key and sample points, the plain numbers 0.25, 0.5, 0.75, 1, 1.25 and 1.5 |
-//! | 2 | distances in 1D, 2D and 3D, angle differences (angles at a point where nothing has a heading), areas; features of complexity 1 scaled by 0.25, 0.5, 0.75, 1.25, 1.5 |
-//! | 3 | sums and differences of two features of complexity 1, those of constants first; scaled distances, angles and areas |
-//! | 4 | sums and differences of a feature of complexity 1 and one of complexity 2 |
-//!
-//! Of a group of objects no single member is spoken of, but the least and the
-//! greatest value over its members, as simple as the value itself. Members of groups
-//! are not compared with each other. Over no members such a feature is infinite, and
-//! what is made of two of them may be NaN: no comparison holds for that.
-//!
-//! Features that depend on the sample are *left* sides of hypotheses, the others
-//! *right* sides. An action without parameters is sampled by its instances, so all
-//! features are left sides. Scaled and summed left sides are left out: scaling a right side
-//! says the same.
+//! The features that the grammar makes of a domain, enumerated into a table.
 
 use super::leaves::{Visit, attributes, coordinates, relations};
 use crate::domain::{Dimension, Domain, Node, NodeId, Sample, Scene};
@@ -41,12 +24,12 @@ pub(crate) fn feature_id(index: usize) -> NodeId {
 struct Block {
     start: u16,
     kept: u16,
-    /// How many the grammar has, also those that found no room.
+    /// How many features the grammar has, with those that found no room.
     enumerated: u32,
 }
 
 impl Block {
-    /// An empty block behind so many features.
+    /// An empty block behind this many features.
     fn behind(features: usize) -> Block {
         Block {
             start: feature_id(features).0,
@@ -63,19 +46,65 @@ impl Block {
 /// Blocks of each complexity, from 1, and dimension.
 type Blocks<const COMPLEXITIES: usize> = [[Block; DIMENSIONS]; COMPLEXITIES];
 
-/// The features of a domain in order of complexity, and their values at a sample.
+/// The features that the grammar makes of a domain (thesis 4.2), simple ones first, and
+/// their values at a sample.
+///
+/// | complexity | features |
+/// |---|---|
+/// | 1 | attributes, constants, parameters, coordinates of key and sample points, the plain numbers 0.25, 0.5, 0.75, 1, 1.25 and 1.5 |
+/// | 2 | distances in 1D, 2D and 3D, angle differences (angles at a point where nothing has a heading), areas; features of complexity 1 scaled by 0.25, 0.5, 0.75, 1.25, 1.5 |
+/// | 3 | sums and differences of two features of complexity 1, those of constants first; scaled distances, angles and areas |
+/// | 4 | sums and differences of a feature of complexity 1 and one of complexity 2 |
+///
+/// Features that depend on the sample are *left* sides of hypotheses (`lhs`), the others
+/// *right* sides (`rhs`). An action without parameters is sampled by its instances, so all
+/// features are left sides. Left sides are neither scaled nor summed: to scale a right
+/// side says the same.
+///
+/// Of a group of objects the grammar has the least and the greatest value over the
+/// members, as simple as the value itself, and never that of a single member. Members of
+/// groups are not compared with each other. Over no members such a feature is infinite,
+/// and what is made of two of them may be NaN: no comparison holds for that.
+///
+/// ```
+/// use critreg::domain::{Dimension, Domain, Node, NodeId};
+/// use critreg::grammar::Features;
+/// let domain = Domain::parse(
+///     "object wall { x: length, y: length }
+///      constant margin = 0.25: length
+///      parameter reach in [0, 4]: length
+///      point hand = world + (reach, 0)",
+/// )?;
+/// let (mut nodes, mut values) = ([Node::Number(0.0); 200], [0.0; 200]);
+/// let features = Features::enumerate(&domain, &mut nodes, &mut values)?;
+/// let texts = |features: &Features<f64>, range: std::ops::Range<usize>| {
+///     let write = |index: usize| {
+///         let mut text = String::new();
+///         let id = NodeId(index as u16);
+///         domain.write_expression(&mut text, features.nodes(), id).map(|()| text)
+///     };
+///     range.map(write).collect::<Result<Vec<_>, _>>().unwrap()
+/// };
+/// let lhs = |complexity| texts(&features, features.lhs(complexity, Dimension::Length));
+/// assert_eq!(lhs(1), ["reach", "hand.x", "hand.y"]);
+/// assert_eq!(lhs(2), ["dist_x(hand, wall)", "dist_y(hand, wall)", "dist(hand, wall)"]);
+/// let rhs = |complexity| texts(&features, features.rhs(complexity, Dimension::Length));
+/// assert_eq!(rhs(1), ["margin", "wall.x", "wall.y"]);
+/// assert_eq!(rhs(2)[..3], ["0.25*margin", "0.5*margin", "0.75*margin"]);
+/// assert_eq!(rhs(3)[..3], ["margin + wall.x", "margin - wall.x", "wall.x - margin"]);
+/// # Ok::<(), critreg::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Features<'m, R> {
     nodes: Table<'m, Node>,
     values: &'m mut [R],
-    lefts: Blocks<2>,
-    rights: Blocks<MAX_COMPLEXITY>,
+    lhs: Blocks<2>,
+    rhs: Blocks<MAX_COMPLEXITY>,
 }
 
 impl<'m, R: Real> Features<'m, R> {
-    /// Enumerates the features of a domain into borrowed tables of equal length,
-    /// of which a quarter at most is used for left sides. What finds no room is
-    /// counted.
+    /// Enumerates the features of a domain into borrowed tables of equal length, of which
+    /// left sides take a quarter at most. Features that find no room are counted.
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`] if there is not even room for the factors.
@@ -104,17 +133,17 @@ impl<'m, R: Real> Features<'m, R> {
 
     /// A table without features, for [`Features::fill`].
     pub(crate) fn empty(nodes: &'m mut [Node], values: &'m mut [R]) -> Self {
-        // A term has no name for more.
+        // An id of a term counts no further.
         let room = nodes.len().min(usize::from(u16::MAX));
         Features {
             nodes: Table::new(nodes.get_mut(..room).unwrap_or_default(), "features"),
             values,
-            lefts: Default::default(),
-            rights: Default::default(),
+            lhs: Default::default(),
+            rhs: Default::default(),
         }
     }
 
-    /// Enumerates the features of a domain up to a complexity, where the table lies.
+    /// Enumerates the features of a domain up to a complexity, in place.
     ///
     /// # Errors
     /// Those of [`Features::enumerate`].
@@ -122,8 +151,8 @@ impl<'m, R: Real> Features<'m, R> {
         for factor in FACTORS {
             self.nodes.push(Node::Number(factor))?;
         }
-        self.enumerate_lefts(domain);
-        self.enumerate_rights(domain, complexity.min(MAX_COMPLEXITY));
+        self.enumerate_lhs(domain);
+        self.enumerate_rhs(domain, complexity.min(MAX_COMPLEXITY));
         Ok(())
     }
 
@@ -150,27 +179,23 @@ impl<'m, R: Real> Features<'m, R> {
 
     /// The left sides of this complexity (from 1) and dimension, as a range of
     /// features.
-    pub fn lefts(&self, complexity: usize, dimension: Dimension) -> Range<usize> {
-        block_at(&self.lefts, complexity, dimension).range()
+    pub fn lhs(&self, complexity: usize, dimension: Dimension) -> Range<usize> {
+        block_at(&self.lhs, complexity, dimension).range()
     }
 
     /// The right sides of this complexity (from 1) and dimension.
-    pub fn rights(&self, complexity: usize, dimension: Dimension) -> Range<usize> {
-        block_at(&self.rights, complexity, dimension).range()
+    pub fn rhs(&self, complexity: usize, dimension: Dimension) -> Range<usize> {
+        block_at(&self.rhs, complexity, dimension).range()
     }
 
     /// How many left sides the grammar has, with those that found no room.
-    pub fn enumerated_lefts(&self, complexity: usize, dimension: Dimension) -> u64 {
-        block_at(&self.lefts, complexity, dimension)
-            .enumerated
-            .into()
+    pub fn enumerated_lhs(&self, complexity: usize, dimension: Dimension) -> u64 {
+        block_at(&self.lhs, complexity, dimension).enumerated.into()
     }
 
     /// How many right sides the grammar has, with those that found no room.
-    pub fn enumerated_rights(&self, complexity: usize, dimension: Dimension) -> u64 {
-        block_at(&self.rights, complexity, dimension)
-            .enumerated
-            .into()
+    pub fn enumerated_rhs(&self, complexity: usize, dimension: Dimension) -> u64 {
+        block_at(&self.rhs, complexity, dimension).enumerated.into()
     }
 
     /// Computes every feature at a sample, each once.
@@ -183,7 +208,7 @@ impl<'m, R: Real> Features<'m, R> {
         evaluate(self.nodes.as_slice(), scene, theta, values);
     }
 
-    fn enumerate_lefts(&mut self, domain: &Domain<'_>) {
+    fn enumerate_lhs(&mut self, domain: &Domain<'_>) {
         let room = self.nodes.capacity() / 4;
         let sampled = !domain.parameters().is_empty();
         for dimension in Dimension::ALL {
@@ -198,18 +223,18 @@ impl<'m, R: Real> Features<'m, R> {
                 }
                 coordinates(domain, dimension, sampled, visit);
             });
-            set_block(&mut self.lefts, 1, dimension, block);
+            set_block(&mut self.lhs, 1, dimension, block);
         }
         for dimension in Dimension::ALL {
             let block = self.append(room, |visit| relations(domain, dimension, sampled, visit));
-            set_block(&mut self.lefts, 2, dimension, block);
+            set_block(&mut self.lhs, 2, dimension, block);
         }
     }
 
-    fn enumerate_rights(&mut self, domain: &Domain<'_>, most: usize) {
+    fn enumerate_rhs(&mut self, domain: &Domain<'_>, most: usize) {
         for complexity in 1..=most {
             for dimension in Dimension::ALL {
-                let wanted = (1..=2).any(|c| !self.lefts(c, dimension).is_empty());
+                let wanted = (1..=2).any(|c| !self.lhs(c, dimension).is_empty());
                 if !wanted {
                     continue;
                 }
@@ -219,7 +244,7 @@ impl<'m, R: Real> Features<'m, R> {
                     3 => self.pairs_and_scaled_relations(domain, dimension),
                     _ => self.mixed_pairs(domain, dimension),
                 };
-                set_block(&mut self.rights, complexity, dimension, block);
+                set_block(&mut self.rhs, complexity, dimension, block);
             }
         }
     }
@@ -245,15 +270,15 @@ impl<'m, R: Real> Features<'m, R> {
         let mut block = self.append(usize::MAX, |visit| {
             relations(domain, dimension, false, visit);
         });
-        self.scale(&mut block, self.rights(1, dimension));
-        let leaves = proper(block_at(&self.rights, 1, dimension), dimension);
+        self.scale(&mut block, self.rhs(1, dimension));
+        let leaves = proper(block_at(&self.rhs, 1, dimension), dimension);
         block.enumerated += FACTORS.len() as u32 * leaves;
         block
     }
 
     fn pairs_and_scaled_relations(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
         let mut block = Block::behind(self.nodes.len());
-        let leaves = self.rights(1, dimension);
+        let leaves = self.rhs(1, dimension);
         for b in leaves.clone() {
             for a in leaves.start..b {
                 self.combine(&mut block, a, b, Node::Sum);
@@ -262,10 +287,10 @@ impl<'m, R: Real> Features<'m, R> {
             }
         }
         let relations = count_relations(domain, dimension);
-        let first = self.rights(2, dimension).start;
-        let kept = self.rights(2, dimension).len().min(relations as usize);
+        let first = self.rhs(2, dimension).start;
+        let kept = self.rhs(2, dimension).len().min(relations as usize);
         self.scale(&mut block, first..first + kept);
-        let leaves = proper(block_at(&self.rights, 1, dimension), dimension);
+        let leaves = proper(block_at(&self.rhs, 1, dimension), dimension);
         let pairs = leaves * leaves.saturating_sub(1) / 2;
         block.enumerated = FACTORS.len() as u32 * relations + 3 * pairs;
         block
@@ -273,8 +298,8 @@ impl<'m, R: Real> Features<'m, R> {
 
     fn mixed_pairs(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
         let mut block = Block::behind(self.nodes.len());
-        for b in self.rights(2, dimension) {
-            for a in self.rights(1, dimension) {
+        for b in self.rhs(2, dimension) {
+            for a in self.rhs(1, dimension) {
                 if self.is_scaled_from(b, a) {
                     continue;
                 }
@@ -283,14 +308,14 @@ impl<'m, R: Real> Features<'m, R> {
                 self.combine(&mut block, b, a, Node::Difference);
             }
         }
-        let leaves = proper(block_at(&self.rights, 1, dimension), dimension);
+        let leaves = proper(block_at(&self.rhs, 1, dimension), dimension);
         let relations = count_relations(domain, dimension);
         let scaled = FACTORS.len() as u32 * leaves.saturating_sub(1);
         block.enumerated = 3 * leaves * (relations + scaled);
         block
     }
 
-    /// Appends what fits, as long as there are not `room` features, and counts all.
+    /// Appends features while there are fewer than `room`, and counts all of them.
     fn append(&mut self, room: usize, each: impl FnOnce(Visit<'_>)) -> Block {
         let mut block = Block::behind(self.nodes.len());
         each(&mut |node| {
@@ -302,7 +327,7 @@ impl<'m, R: Real> Features<'m, R> {
         block
     }
 
-    /// Appends the features of a range, scaled by each factor; numbers are not.
+    /// Appends the features of a range, scaled by each factor, except plain numbers.
     fn scale(&mut self, block: &mut Block, range: Range<usize>) {
         for index in range {
             // The factors are the first features of the table.
@@ -338,7 +363,7 @@ impl<'m, R: Real> Features<'m, R> {
 #[inline(never)]
 fn evaluate<R: Real>(nodes: &[Node], scene: &Scene<'_, R>, theta: &[R], values: &mut [R]) {
     let mut sample: Sample<'_, '_, R, R> = Sample::blank(scene, theta);
-    sample.settle();
+    sample.place_points();
     for (index, node) in nodes.iter().enumerate() {
         let known = &*values;
         let operand = |id: NodeId| known.get(usize::from(id.0)).copied().unwrap_or(R::ZERO);
@@ -367,7 +392,7 @@ fn set_block(
     }
 }
 
-/// How many features of a block of complexity 1 are no plain numbers.
+/// How many features of a block of complexity 1 are not plain numbers.
 fn proper(block: Block, dimension: Dimension) -> u32 {
     let numbers = match dimension {
         Dimension::None => FACTORS.len() as u32 + 1,

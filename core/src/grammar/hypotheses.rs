@@ -1,5 +1,5 @@
-//! The hypothesis table: `left comparison right` for every pair of comparable
-//! features, simple pairs first (thesis 4.3, Eq. 4.1 and 4.2).
+//! The hypothesis table: `lhs comparison rhs` for every pair of comparable features,
+//! simple pairs first (thesis 4.3, Eq. 4.1 and 4.2).
 //!
 //! A pair of features and its four comparisons take one byte, a bit per
 //! hypothesis that is still in the set. Pairs are not stored: they follow from
@@ -21,9 +21,9 @@ pub const MAX_PAIR_COMPLEXITY: usize = MAX_COMPLEXITY + 2;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Run {
     /// Index of the left side.
-    pub(crate) left: usize,
+    pub(crate) lhs: usize,
     /// Indices of the right sides.
-    pub(crate) rights: Range<usize>,
+    pub(crate) rhs: Range<usize>,
 }
 
 /// How much of the grammar a table holds. The unit is hypotheses, four a pair.
@@ -37,7 +37,7 @@ pub struct Enumeration {
     pub left_out: u64,
 }
 
-/// The set of hypotheses, as one bit each.
+/// A set of hypotheses, one bit for each.
 #[derive(Debug)]
 pub struct Hypotheses<'m> {
     pairs: &'m mut [u8],
@@ -61,9 +61,9 @@ pub(crate) const fn bit(comparison: Comparison) -> u8 {
 /// Which comparisons hold between two numbers; none if one is NaN. In 64 bits, as
 /// wide as the numbers, so that the compiler compares several at once.
 #[inline(always)]
-fn holding<R: Real>(left: R, right: R) -> u8 {
-    let below = -i64::from(left <= right);
-    let above = -i64::from(left >= right);
+fn holding<R: Real>(lhs: R, rhs: R) -> u8 {
+    let below = -i64::from(lhs <= rhs);
+    let above = -i64::from(lhs >= rhs);
     // 0011 where smaller, 1100 where larger, 0110 where equal.
     ((below & 0b0011) + (above & 0b1100) - (below & above & 0b1001)) as u8
 }
@@ -74,17 +74,17 @@ const LANES: usize = 8;
 /// Removes the hypotheses of a left side that do not hold, or with `flip` those
 /// that do.
 #[inline]
-fn prune<R: Real>(left: R, rights: &[R], pairs: &mut [u8], flip: u8) {
-    let (blocks, rest) = rights.as_chunks::<LANES>();
+fn prune<R: Real>(lhs: R, rhs: &[R], pairs: &mut [u8], flip: u8) {
+    let (blocks, rest) = rhs.as_chunks::<LANES>();
     let (pair_blocks, pair_rest) = pairs.as_chunks_mut::<LANES>();
-    for (rights, pairs) in blocks.iter().zip(pair_blocks) {
-        let holding = rights.map(|right| holding(left, right));
+    for (rhs, pairs) in blocks.iter().zip(pair_blocks) {
+        let holding = rhs.map(|rhs| holding(lhs, rhs));
         for (pair, holding) in pairs.iter_mut().zip(holding) {
             *pair &= holding ^ flip;
         }
     }
-    for (right, pair) in rest.iter().zip(pair_rest) {
-        *pair &= holding(left, *right) ^ flip;
+    for (rhs, pair) in rest.iter().zip(pair_rest) {
+        *pair &= holding(lhs, *rhs) ^ flip;
     }
 }
 
@@ -92,9 +92,7 @@ impl<'m> Hypotheses<'m> {
     /// Enumerates all pairs of the features into a borrowed table, a byte for
     /// four hypotheses, until it is full.
     pub fn enumerate<R: Real>(features: &Features<'_, R>, pairs: &'m mut [u8]) -> Self {
-        let used = runs(features, pairs.len())
-            .map(|run| run.rights.len())
-            .sum();
+        let used = runs(features, pairs.len()).map(|run| run.rhs.len()).sum();
         for pair in pairs.iter_mut().take(used) {
             *pair = ALL_FOUR;
         }
@@ -133,11 +131,11 @@ impl<'m> Hypotheses<'m> {
         let flip = if feasible { 0 } else { ALL_FOUR };
         let values = features.values();
         self.for_each_run(features, |run, pairs| {
-            let rights = values.get(run.rights.clone()).unwrap_or(&[]);
-            let Some(left) = values.get(run.left) else {
+            let rhs = values.get(run.rhs.clone()).unwrap_or(&[]);
+            let Some(lhs) = values.get(run.lhs) else {
                 return;
             };
-            prune(*left, rights, pairs, flip);
+            prune(*lhs, rhs, pairs, flip);
         });
     }
 
@@ -149,7 +147,7 @@ impl<'m> Hypotheses<'m> {
     ) {
         let mut rest = self.pairs.get_mut(..self.used).unwrap_or(&mut []);
         for run in runs(features, self.used) {
-            let Some((own, others)) = rest.split_at_mut_checked(run.rights.len()) else {
+            let Some((own, others)) = rest.split_at_mut_checked(run.rhs.len()) else {
                 return;
             };
             visit(&run, own);
@@ -166,10 +164,10 @@ impl<'m> Hypotheses<'m> {
     ) {
         let mut pairs = self.pairs.iter();
         for run in runs(features, self.used) {
-            for (right, pair) in run.rights.zip(pairs.by_ref()) {
+            for (rhs, pair) in run.rhs.zip(pairs.by_ref()) {
                 let present = |c: &Comparison| pair & bit(*c) != 0;
                 for comparison in Comparison::ALL.into_iter().filter(present) {
-                    visit(feature_id(run.left), comparison, feature_id(right));
+                    visit(feature_id(run.lhs), comparison, feature_id(rhs));
                 }
             }
         }
@@ -179,17 +177,17 @@ impl<'m> Hypotheses<'m> {
 /// The pairs of a table as runs, in order of complexity, cut off at `capacity`.
 fn runs<R: Real>(features: &Features<'_, R>, capacity: usize) -> impl Iterator<Item = Run> {
     let mut first = 0usize;
-    let blocks = blocks().flat_map(|(left, right, dimension)| {
-        let rights = features.rights(right, dimension);
-        let lefts = features.lefts(left, dimension);
-        lefts.map(move |left| (left, rights.clone()))
+    let blocks = blocks().flat_map(|(lhs, rhs, dimension)| {
+        let rhs = features.rhs(rhs, dimension);
+        let lhs = features.lhs(lhs, dimension);
+        lhs.map(move |lhs| (lhs, rhs.clone()))
     });
-    blocks.map_while(move |(left, rights)| {
+    blocks.map_while(move |(lhs, rhs)| {
         let room = capacity.saturating_sub(first);
-        let count = rights.len().min(room);
+        let count = rhs.len().min(room);
         let run = Run {
-            left,
-            rights: rights.start..rights.start + count,
+            lhs,
+            rhs: rhs.start..rhs.start + count,
         };
         first += count;
         (room > 0).then_some(run)
@@ -200,14 +198,14 @@ fn runs<R: Real>(features: &Features<'_, R>, capacity: usize) -> impl Iterator<I
 /// of the table.
 fn blocks() -> impl Iterator<Item = (usize, usize, Dimension)> {
     (2..=MAX_PAIR_COMPLEXITY).flat_map(|total| {
-        let lefts = 1..=total.saturating_sub(1).min(2);
-        lefts.flat_map(move |left| Dimension::ALL.map(|d| (left, total - left, d)))
+        let lhs = 1..=total.saturating_sub(1).min(2);
+        lhs.flat_map(move |lhs| Dimension::ALL.map(|d| (lhs, total - lhs, d)))
     })
 }
 
 fn enumerated_pairs<R: Real>(features: &Features<'_, R>) -> u64 {
-    let pairs = blocks().map(|(left, right, dimension)| {
-        features.enumerated_lefts(left, dimension) * features.enumerated_rights(right, dimension)
+    let pairs = blocks().map(|(lhs, rhs, dimension)| {
+        features.enumerated_lhs(lhs, dimension) * features.enumerated_rhs(rhs, dimension)
     });
     pairs.sum()
 }

@@ -1,16 +1,16 @@
-//! What a domain has to say without arithmetic: attributes, coordinates and relations
-//! of one dimension.
+//! The features without arithmetic: attributes, coordinates, and relations between
+//! points.
 //!
 //! Each function calls `visit` instead of returning an iterator: nested iterators of
 //! this kind take a kilobyte of stack, loops next to nothing.
 
 use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Quantity};
 
-/// Takes one term after the other.
+/// A function that takes one feature after the other.
 pub(super) type Visit<'v> = &'v mut dyn FnMut(Node);
 
-/// Says a quantity as the grammar does: as it is, or, if it is about a group, as the
-/// extremes over it. The first member stands for all.
+/// Visits what the grammar makes of a quantity: the quantity itself, or, if it is about
+/// the first member of a group, its extremes over the members.
 fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
     let members = domain.members_in(quantity);
     let mut members = members.iter().flatten();
@@ -61,9 +61,9 @@ pub(super) fn coordinates(
     }
 }
 
-/// Angles at a vertex between the directions to two other points, of the sample or not:
-/// where nothing has a heading, they are the angles that there are. Key points are left
-/// out, because they lie in the directions of their objects.
+/// Angles at a vertex between the directions to two other points, of the sample or not.
+/// Where nothing has a heading, there are no other angles. Key points are left out,
+/// because they lie in the directions of their objects.
 fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
     if domain.has_headings() {
         return;
@@ -90,7 +90,7 @@ pub(super) fn relations(
     visit: Visit<'_>,
 ) {
     let metrics: &[Metric] = match (dimension, domain.axes()) {
-        // On a line there is one way to measure.
+        // On a line all distances are the same.
         (Dimension::Length, 1) => &[Metric::Straight],
         (Dimension::Length, 2) => &[Metric::X, Metric::Y, Metric::Straight],
         (Dimension::Length, _) => &[Metric::X, Metric::Y, Metric::Z, Metric::Straight],
@@ -121,7 +121,7 @@ pub(super) fn relations(
     }
 }
 
-/// The sample point first, as one would say it.
+/// The sample point first, as a person would say it.
 fn ordered((a, first): (u8, &Point<'_>), (b, second): (u8, &Point<'_>)) -> (u8, u8) {
     if second.sampled && !first.sampled {
         (b, a)

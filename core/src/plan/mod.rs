@@ -16,13 +16,11 @@
 //! | [`Refiner`] | backtracking over the steps of a skeleton |
 //! | [`World`], [`Sampler`] | what is planned in, and where parameters come from; [`Simulated`] is both for an [`Environment`](crate::task::Environment) |
 //! | [`Planner`] | all together; [`GroundTask`] is what it plans, [`Room`] the memory it needs |
-//! | [`crate::skill`] | learned regions as a sampler and a guide |
 //!
 //! Learned knowledge enters in two places. A sampler draws from a region instead of
 //! everything, and sees the later steps, which may narrow what is good now. A guide
 //! sees, before anything is drawn, that a prefix cannot work. Both give a reason,
-//! so that there is an answer to "why was no plan found?". [`crate::skill`] is both, for what
-//! was learned of an environment.
+//! so that there is an answer to "why was no plan found?".
 //!
 //! Knowledge may be wrong, so it has until [`Config::patience`] ends. Then planning
 //! begins anew without it: what can be solved without is solved.

@@ -4,17 +4,17 @@ use super::parameters::{ParameterSet, Vector};
 use crate::error::Error;
 use crate::real::Real;
 
-/// How often the box of all parameters is halved, all parameters together.
+/// How often the box of all parameters is halved, counting all parameters.
 const MAX_DEPTH: u32 = 18;
-/// How many boxes are looked at.
+/// How many boxes are examined.
 const MAX_BOXES: u32 = 4096;
 
 /// The lowest and the highest corner of a box.
 pub(super) type Corners<R> = (Vector<R>, Vector<R>);
 
-/// A depth-first search through halves of halves of the box of all parameters,
-/// leaving out what is proven to hold nothing of a region. The way to a box is a
-/// bit per halving, so no stack is needed.
+/// A depth-first search through halves of halves of the box of all parameters. It leaves
+/// out boxes that are proven to hold nothing of a region. The path to a box is a bit per
+/// halving, so the search needs no stack.
 pub(super) struct BoxSearch {
     path: u32,
     depth: u32,
@@ -70,7 +70,7 @@ impl BoxSearch {
         Ok(None)
     }
 
-    /// Goes on to the next box that is no part of this one.
+    /// Moves on to the next box that is not inside this one.
     fn pass(&mut self) {
         while self.depth > 0 && self.path & 1 == 1 {
             self.path >>= 1;

@@ -54,8 +54,8 @@ impl Region {
     /// used.
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`] if `bytes` is too short; what it holds then is
-    /// of no use. [`Region::saved_len`] tells the length needed.
+    /// [`Error::CapacityExceeded`] if `bytes` is too short; it then holds a useless part.
+    /// [`Region::saved_len`] tells the length needed.
     pub fn save(&self, domain: &Domain<'_>, bytes: &mut [u8]) -> Result<usize, Error> {
         const TOO_LONG: Error = Error::CapacityExceeded("a text of more than 65535 bytes");
         let region_length = self.text_len(domain);

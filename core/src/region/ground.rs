@@ -15,12 +15,27 @@ pub struct Grounded<'a, R> {
     region: &'a Region,
     domain: &'a Domain<'a>,
     scene: Scene<'a, R>,
-    /// What is admitted of the only parameter, if there is only one.
+    /// The admitted values of the parameter, if there is exactly one.
     set: IntervalSet<R>,
 }
 
 impl Region {
     /// The region in a problem instance: one number per attribute.
+    ///
+    /// ```
+    /// use critreg::{domain::Domain, region::Region};
+    /// let domain = Domain::parse(
+    ///     "object wall { x: length, y: length }
+    ///      parameter reach in [0, 4]: length
+    ///      point hand = world + (reach, 0)",
+    /// )?;
+    /// let region = Region::parse(&domain, "dist(hand, wall) >= 1 and reach <= wall.x")?;
+    /// let grounded = region.ground::<f64>(&domain, &[3.0, 0.0])?;
+    /// let [admitted] = grounded.intervals()?.intervals() else { panic!() };
+    /// assert_eq!([admitted.low, admitted.high], [0.0, 2.0]);
+    /// assert!(grounded.contains(&[1.5])? && !grounded.contains(&[2.5])?);
+    /// # Ok::<(), critreg::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Mismatch`] for another domain than the region was made for, and
@@ -44,7 +59,7 @@ impl Region {
         theta: &[f64],
     ) -> Result<bool, Error> {
         let mut grounded = Grounded::<R>::blank(self, domain, instance);
-        grounded.settle()?;
+        grounded.compute()?;
         grounded.contains(theta)
     }
 }
@@ -56,11 +71,12 @@ impl<'a, R: Real> Grounded<'a, R> {
         instance: &'a [f64],
     ) -> Result<Self, Error> {
         let mut grounded = Self::blank(region, domain, instance);
-        grounded.settle()?;
+        grounded.compute()?;
         Ok(grounded)
     }
 
-    /// As [`Grounded::new`], to be completed in place by [`Grounded::settle`].
+    /// As [`Grounded::new`], still without points and intervals: [`Grounded::compute`]
+    /// adds them in place.
     pub(super) fn blank(region: &'a Region, domain: &'a Domain<'a>, instance: &'a [f64]) -> Self {
         Grounded {
             region,
@@ -70,11 +86,11 @@ impl<'a, R: Real> Grounded<'a, R> {
         }
     }
 
-    pub(super) fn settle(&mut self) -> Result<(), Error> {
+    pub(super) fn compute(&mut self) -> Result<(), Error> {
         if self.domain.fingerprint() != self.region.fingerprint {
             return Err(Error::Mismatch("the region belongs to another domain text"));
         }
-        self.scene.settle()?;
+        self.scene.place_points()?;
         let [parameter] = self.parameters() else {
             return Ok(());
         };
@@ -145,11 +161,11 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
             return Ok(self.set.contains(*first));
         }
         let mut sample = Sample::blank(&self.scene, theta);
-        sample.settle();
+        sample.place_points();
         let nodes = self.region.formula.nodes();
         Ok(self.region.formula.holds(|c| {
-            let left = sample.measure(nodes, c.left);
-            c.comparison.holds(&left, &sample.measure(nodes, c.right))
+            let lhs = sample.measure(nodes, c.lhs);
+            c.comparison.holds(&lhs, &sample.measure(nodes, c.rhs))
         }))
     }
 
@@ -176,17 +192,17 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
             };
         }
         let mut sample = Sample::blank(&self.scene, &theta);
-        sample.settle();
+        sample.place_points();
         let nodes = self.region.formula.nodes();
         let truth = self
             .region
             .formula
-            .truth(|c| range_truth(c.comparison, sample.difference(nodes, [c.left, c.right])));
+            .truth(|c| range_truth(c.comparison, sample.difference(nodes, [c.lhs, c.rhs])));
         Ok(!truth.may_hold)
     }
 }
 
-/// Whether `gap comparison 0` over a range, leaving room for rounding.
+/// Whether `difference comparison 0` holds over a range, allowing for rounding.
 fn range_truth<R: Real>(comparison: Comparison, gap: Range<R>) -> Truth {
     let slack = R::EPSILON * R::from_f64(64.0);
     let above = gap.low * (R::ONE - slack) > slack;

@@ -25,9 +25,9 @@ pub struct Part<'a> {
 /// The parameters that several regions admit, each in an instance of its own: the
 /// region of an action, and those in which the actions after it work.
 ///
-/// The regions share the parameters, by their place and range; everything else in
-/// their domains may differ. Regions are grounded as they are needed, so that an intersection of any
-/// number of them takes the memory of one.
+/// The regions have the same parameters, in order and range. Everything else in their
+/// domains may differ. Each region is grounded when it is needed, so an intersection of
+/// any number of regions takes the memory of one.
 ///
 /// ```
 /// use critreg::{domain::Domain, random::generator, region::{Intersection, Part, Region}};
@@ -57,7 +57,7 @@ pub struct Intersection<'p, R> {
     relevant: u32,
     /// The corners of the box of all parameters.
     bounds: (Vector<R>, Vector<R>),
-    /// What is admitted of the only parameter, if there is only one.
+    /// The admitted values of the parameter, if there is exactly one.
     set: IntervalSet<R>,
 }
 
@@ -109,7 +109,7 @@ impl<'p, R: Real> Intersection<'p, R> {
 
     /// As [`Intersection::sample`], but away from the boundary, where an action may
     /// fail after all: the share `margin` in `[0, 0.5]` of every interval is left out
-    /// at both of its ends; with several parameters, that along some line.
+    /// at both of its ends; with several parameters, of every interval on some line.
     ///
     /// # Errors
     /// Those of [`Intersection::sample`], and [`Error::InvalidArgument`] for another

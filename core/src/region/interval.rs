@@ -5,10 +5,9 @@ use crate::grammar::MAX_CONSTRAINTS;
 use crate::real::Real;
 use heapless::Vec;
 
-/// Most intervals of a set: each constraint of a region has two roots on average, and
-/// these and the ends of the line are their ends. There can be more if a constraint
-/// speaks of a group, or where an interval starts at the end of another one; then there
-/// may be no room.
+/// Most intervals of a set. Intervals end at roots and at the ends of the line, and a
+/// constraint has two roots on average. A constraint about a group can have more, and an
+/// interval may begin where another one ends; then the room may not suffice.
 pub const MAX_INTERVALS: usize = MAX_CONSTRAINTS + 1;
 
 /// All numbers between two ends.
@@ -53,7 +52,8 @@ impl<R: Real> Interval<R> {
         some.then_some(shared)
     }
 
-    /// Whether numbers of the other one lie above all of this one, or both end alike.
+    /// Whether the other interval has numbers above all numbers of this one, or both end
+    /// alike.
     fn ends_before(&self, other: &Interval<R>) -> bool {
         let alike = self.high_closed == other.high_closed || other.high_closed;
         self.high < other.high || (self.high == other.high && alike)
@@ -159,7 +159,7 @@ impl<R: Real> IntervalSet<R> {
             if let Some(shared) = first.intersection(second) {
                 both.push(shared)?;
             }
-            // What ends first meets nothing further of the other set.
+            // The interval that ends first meets no later one of the other set.
             if first.ends_before(second) {
                 a = own.next();
             } else {
@@ -169,7 +169,7 @@ impl<R: Real> IntervalSet<R> {
         Ok(both)
     }
 
-    /// Forgets all intervals, to be filled again.
+    /// Removes all intervals.
     fn reset(&mut self, exact: bool) {
         self.intervals.clear();
         self.exact = exact;

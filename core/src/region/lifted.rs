@@ -1,4 +1,4 @@
-//! Regions of all instances: constraints that speak of objects and points.
+//! Regions before an instance is known: constraints that speak of objects and points.
 
 use crate::domain::{Domain, PointSet};
 use crate::error::Error;
@@ -36,7 +36,7 @@ pub struct Region {
 }
 
 impl Blank for Region {
-    /// A place for a region: it admits everything, and belongs to a domain without text.
+    /// A region that admits everything, of a domain without text: a place for another one.
     const BLANK: Self = Region {
         formula: Formula::everything(),
         points: PointSet::EMPTY,
@@ -66,18 +66,17 @@ impl Region {
     /// Makes it a region of this domain that admits everything.
     pub(crate) fn clear(&mut self, domain: &Domain<'_>) {
         self.formula.clear();
-        self.settle(domain);
+        self.note_dependence(domain);
     }
 
-    /// Replaces its formula where it lies by what `write` makes of one that holds for
-    /// every sample.
+    /// Lets `write` make a new formula in place, from one that holds for every sample.
     pub(crate) fn rewrite(&mut self, domain: &Domain<'_>, write: impl FnOnce(&mut Formula)) {
         self.formula.clear();
         write(&mut self.formula);
-        self.settle(domain);
+        self.note_dependence(domain);
     }
 
-    /// Makes it the same as another, where it lies.
+    /// Copies another region into this one, in place.
     pub fn copy_from(&mut self, other: &Region) {
         self.formula.copy_from(&other.formula);
         self.points = other.points;
@@ -85,14 +84,25 @@ impl Region {
         self.fingerprint = other.fingerprint;
     }
 
-    /// Finds out what its formula speaks about.
-    fn settle(&mut self, domain: &Domain<'_>) {
+    /// Notes what its formula depends on: points, parameters and the domain.
+    fn note_dependence(&mut self, domain: &Domain<'_>) {
         self.points = PointSet::of(domain, self.formula.nodes());
         self.relevant = self.points.parameters(domain, self.formula.nodes());
         self.fingerprint = domain.fingerprint();
     }
 
     /// Reads a region from its text; for the grammar see [`Formula`].
+    ///
+    /// ```
+    /// use critreg::{domain::Domain, region::Region};
+    /// let domain = Domain::parse("parameter x in [0, 1] parameter y in [0, 1]")?;
+    /// let region = Region::parse(&domain, "(x < 0.5) and (y > x or not (y <= 0.25))")?;
+    /// let text = region.display(&domain).to_string();
+    /// assert_eq!(text, "x < 0.5 and (y > x or not y <= 0.25)");
+    /// let error = Region::parse(&domain, "x < 0.5 and z > 0").unwrap_err();
+    /// assert!(error.to_string().starts_with("line 1, column 13: unknown name"));
+    /// # Ok::<(), critreg::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Syntax`], [`Error::CapacityExceeded`].
@@ -124,8 +134,8 @@ impl Region {
         &self.formula
     }
 
-    /// Whether a number of an instance, by its place, counts for the region. If not, it
-    /// may be anything.
+    /// Whether the region depends on a number of an instance, given by its place. If not,
+    /// that number may be anything.
     pub fn reads(&self, domain: &Domain<'_>, slot: u8) -> bool {
         self.points.reads(domain, self.formula.nodes(), slot)
     }

@@ -2,15 +2,14 @@
 //!
 //! A [`Region`] is lifted: its constraints speak of objects and points, not of
 //! numbers. [`Region::ground`] puts an instance in; the [`Grounded`] region is a
-//! set of parameters. With one parameter it is a set of intervals in closed form,
-//! because every constraint of the grammar is a piecewise linear function or the
-//! root of a quadratic one along a line of parameters; with several, any line
-//! through it is. Sampling is uniform, see [`Grounded::sample`]. An [`Intersection`]
-//! is what several regions admit at once.
+//! set of parameters. Along a line of parameters it is a set of intervals in closed form,
+//! because there every side of a constraint is piecewise linear or the root of a
+//! quadratic function. With one parameter this line is everything. Sampling is uniform,
+//! see [`Grounded::sample`]. An [`Intersection`] is what several regions admit at once.
 
 mod boxes;
 mod bytes;
-mod gaps;
+mod choices;
 mod ground;
 mod intersection;
 mod interval;

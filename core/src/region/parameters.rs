@@ -1,4 +1,4 @@
-//! Sets of parameters, as drawing from them sees them.
+//! Sets of parameters, and what drawing from them needs.
 
 use super::interval::IntervalSet;
 use crate::domain::MAX_PARAMETERS;

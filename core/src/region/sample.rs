@@ -11,17 +11,32 @@ use crate::random::uniform_real;
 use crate::real::Real;
 use rand_core::Rng;
 
-/// Draws from the whole box, and from one line, before another way is tried.
+/// How many draws are tried from the whole box, and from one line.
 const REJECTIONS: usize = 32;
-/// Small boxes in which a first admitted point is looked for.
+/// How many small boxes are searched for a first admitted point.
 const BOXES: usize = 64;
-/// Lines that are laid through each of them.
+/// How many lines are laid through each of them.
 const LINES: usize = 8;
-/// Steps of hit-and-run per parameter, from a first admitted point.
+/// How many steps of hit-and-run follow a first admitted point, per parameter.
 const STEPS_PER_PARAMETER: usize = 12;
 
 impl Region {
     /// Draws parameters uniformly from the region in an instance.
+    ///
+    /// ```
+    /// use critreg::{Error, domain::Domain, random::generator, region::Region};
+    /// let domain = Domain::parse(
+    ///     "object wall { x: length }
+    ///      parameter reach in [0, 4]: length",
+    /// )?;
+    /// let region = Region::parse(&domain, "reach <= wall.x - 1")?;
+    /// let draw = |wall: f64| region.sample::<f64>(&domain, &[wall], &mut generator(7));
+    /// let [reach, ..] = draw(3.0)?;
+    /// assert!((0.0..=2.0).contains(&reach));
+    /// // A proof that the region admits nothing there.
+    /// assert_eq!(draw(0.5), Err(Error::EmptyRegion));
+    /// # Ok::<(), critreg::Error>(())
+    /// ```
     ///
     /// # Errors
     /// Those of [`Region::ground`] and [`Grounded::sample`].
@@ -32,7 +47,7 @@ impl Region {
         rng: &mut (impl Rng + ?Sized),
     ) -> Result<Theta, Error> {
         let mut grounded = Grounded::<R>::blank(self, domain, instance);
-        grounded.settle()?;
+        grounded.compute()?;
         grounded.sample(rng)
     }
 }
@@ -126,7 +141,7 @@ fn draw_from<R: Real>(
     Ok(None)
 }
 
-/// Not inlined: what it needs is not on the stack while a set is grounded.
+/// Not inlined, so that its variables are not on the stack while a set is grounded.
 #[inline(never)]
 fn sample_several<R: Real>(
     parameters: &impl ParameterSet<R>,
@@ -144,8 +159,8 @@ fn sample_several<R: Real>(
             return Ok(inner.or(Some(theta)));
         }
     }
-    // Too small to be hit: find small boxes that may hold some of it, in
-    // random order, and lay lines through them.
+    // The set is too small for that: find small boxes that may hold some of it, in random
+    // order, and lay lines through them.
     let mut search = BoxSearch::new(rng.next_u32());
     for _ in 0..BOXES {
         let Some((low, high)) = search.next(parameters)? else {

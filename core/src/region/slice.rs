@@ -1,6 +1,6 @@
 //! What a region admits along a line of parameters, exactly.
 
-use super::gaps::{Along, Gaps};
+use super::choices::{Along, Choices};
 use super::interval::{Builder, IntervalSet};
 use crate::domain::{Curve, Line, MAX_PARAMETERS, Node, Sample, Scene};
 use crate::error::Error;
@@ -8,16 +8,17 @@ use crate::grammar::{Comparison, Constraint, Formula, MAX_CONSTRAINTS};
 use crate::real::Real;
 use heapless::Vec;
 
-/// Most roots of the constraints of a region: two each on average. One that speaks of a
-/// group can have more, two for each member; if all do, there may be no room.
+/// Most roots of all constraints of a region: two per constraint. A constraint about a
+/// group can have two for each member, so if all are about groups, the room may not
+/// suffice.
 const MAX_BREAKS: usize = 2 * MAX_CONSTRAINTS;
 
 /// Sets `set` to the admitted positions `t` between two ends on the line
 /// `origin + t * direction`.
 ///
-/// The line is cut at the roots of the constraints; between two neighbouring
-/// ones nothing changes. At a root its own constraint holds if it admits
-/// equality. Where a constraint has no closed form the set is too large.
+/// The line is cut at the roots of the constraints. Between two neighbouring roots nothing
+/// changes. At a root its constraint holds if it admits equality. Where a constraint has
+/// no closed form, the set is too large.
 pub(super) fn slice<R: Real>(
     formula: &Formula,
     scene: &Scene<'_, R>,
@@ -32,7 +33,7 @@ pub(super) fn slice<R: Real>(
         let _ = theta.push(Line { at, slope });
     }
     let mut sample = Sample::blank(scene, &theta);
-    sample.settle();
+    sample.place_points();
     let along = Along {
         scene,
         theta: &theta,
@@ -41,8 +42,8 @@ pub(super) fn slice<R: Real>(
     cut(formula, along, ends, set)
 }
 
-/// Cuts a line at the roots of a formula's constraints. Not inlined: its breaks are not
-/// on the stack while points are placed.
+/// Cuts a line at the roots of a formula's constraints. Not inlined, so that its breaks
+/// are not on the stack while points are placed.
 #[inline(never)]
 fn cut<R: Real>(
     formula: &Formula,
@@ -53,19 +54,20 @@ fn cut<R: Real>(
     let nodes = formula.nodes();
     let mut cut = Cut::new(ends);
     for (owner, constraint) in (0u8..).zip(formula.constraints()) {
-        let sides = [constraint.left, constraint.right];
+        let sides = [constraint.lhs, constraint.rhs];
         let curve = along.sample.difference(nodes, sides);
         if curve.is_finite() {
             cut.add(owner, &curve, constraint.comparison)?;
         } else {
-            cut.add_gaps(owner, along, nodes, constraint)?;
+            cut.add_without_curve(owner, along, nodes, constraint)?;
         }
     }
     cut.write(formula, set)
 }
 
-/// Whose a root is, and whether its constraint holds behind it: twice the index of the
-/// constraint, and one more if so. There may be many roots, and they are on the stack.
+/// The constraint that a root belongs to, and whether that constraint holds after it:
+/// twice the index of the constraint, plus one if so. Roots are this small because many
+/// may be on the stack.
 #[derive(Clone, Copy)]
 struct Root(u8);
 
@@ -92,7 +94,7 @@ struct Masks {
 }
 
 impl Masks {
-    /// Where `which` hold or fail as `holding` says.
+    /// The same, but the constraints `which` hold or fail as `holding` says.
     fn with(self, which: u32, holding: u32) -> Masks {
         Masks {
             hold: (self.hold & !which) | (which & holding),
@@ -115,9 +117,9 @@ struct Cut<R> {
     first: Masks,
     /// Constraints that hold where their two sides are equal.
     admit_equal: u32,
-    /// Where there are roots between the ends, ascending.
+    /// The positions of all roots between the ends, ascending.
     breaks: Vec<R, MAX_BREAKS>,
-    /// Whose they are. A list of its own, which needs less room than pairs.
+    /// The roots at these positions. Pairs of both would need more room.
     roots: Vec<Root, MAX_BREAKS>,
 }
 
@@ -145,7 +147,7 @@ impl<R: Real> Cut<R> {
         let [a, b] = if b < a { [b, a] } else { [a, b] };
         let is_root = inside(a);
         let mut end = high;
-        // One root that was found twice counts once: nothing lies between.
+        // A root that was found twice counts once: nothing lies between.
         if inside(b) && !(is_root && a == b) {
             self.insert(owner, b, holds_between(b, end))?;
             end = b;
@@ -158,7 +160,7 @@ impl<R: Real> Cut<R> {
         Ok(())
     }
 
-    /// Notes whether a constraint holds before its first root, and at them all.
+    /// Notes whether a constraint holds before its first root, and whether at its roots.
     fn begin(&mut self, owner: u8, comparison: Comparison, holds: bool) {
         let bit = bit(owner);
         if comparison.admits_equal() {
@@ -171,13 +173,13 @@ impl<R: Real> Cut<R> {
         }) |= bit;
     }
 
-    /// As [`Cut::add`] for a constraint with extremes: it is cut at the roots of all
-    /// choices of members at which its sides are equal.
-    fn add_extremes(&mut self, owner: u8, gaps: &Gaps<'_, '_, R>) -> Result<(), Error> {
+    /// As [`Cut::add`], for a constraint with extremes: cuts at those roots of all choices
+    /// of members at which the sides of the constraint are equal.
+    fn add_choices(&mut self, owner: u8, choices: &Choices<'_, '_, R>) -> Result<(), Error> {
         let [low, mut end] = self.ends;
-        for curve in gaps.curves() {
+        for curve in choices.curves() {
             let inside = |t: &R| low <= *t && *t <= end && curve.is_near_zero(*t);
-            let equal = |t: &R| inside(t) && gaps.is_near_zero(*t);
+            let equal = |t: &R| inside(t) && choices.is_near_zero(*t);
             for at in curve.roots().into_iter().filter(equal) {
                 let mut known = self.breaks.iter().zip(&self.roots);
                 if !known.any(|(place, root)| root.owner() == owner && *place == at) {
@@ -185,28 +187,28 @@ impl<R: Real> Cut<R> {
                 }
             }
         }
-        let holds_between = |a: R, b: R| gaps.holds(middle(a, b));
+        let holds_between = |a: R, b: R| choices.holds(middle(a, b));
         let all = self.breaks.iter().zip(&mut self.roots).rev();
         for (at, root) in all.filter(|(_, root)| root.owner() == owner) {
             *root = Root::new(owner, holds_between(*at, end));
             end = *at;
         }
-        self.begin(owner, gaps.comparison(), holds_between(low, end));
+        self.begin(owner, choices.comparison(), holds_between(low, end));
         Ok(())
     }
 
-    /// As [`Cut::add`] for a constraint that is no single curve. Nothing is known of one
-    /// without closed form.
+    /// As [`Cut::add`], for a constraint that is not a single curve. Without a closed form
+    /// it may hold or fail anywhere.
     #[inline(never)]
-    fn add_gaps(
+    fn add_without_curve(
         &mut self,
         owner: u8,
         along: Along<'_, '_, R>,
         nodes: &[Node],
         constraint: &Constraint,
     ) -> Result<(), Error> {
-        match Gaps::new(along, nodes, constraint) {
-            Some(gaps) => self.add_extremes(owner, &gaps),
+        match Choices::new(along, nodes, constraint) {
+            Some(choices) => self.add_choices(owner, &choices),
             None => {
                 self.first.hold |= bit(owner);
                 self.first.fail |= bit(owner);
@@ -215,7 +217,7 @@ impl<R: Real> Cut<R> {
         }
     }
 
-    /// Sorted insertion.
+    /// Inserts a root, keeping the order.
     fn insert(&mut self, owner: u8, at: R, then_holds: bool) -> Result<(), Error> {
         const FULL: Error = Error::CapacityExceeded("intervals of a region");
         let (mut at, mut root) = (at, Root::new(owner, then_holds));
@@ -229,7 +231,7 @@ impl<R: Real> Cut<R> {
         self.roots.push(root).map_err(|_| FULL)
     }
 
-    /// Writes down where a formula holds.
+    /// Sets `set` to where a formula holds.
     #[inline(never)]
     fn write(&self, formula: &Formula, set: &mut IntervalSet<R>) -> Result<(), Error> {
         // Most regions are conjunctions: all bits set is all there is to know.

@@ -9,8 +9,8 @@ use heapless::Vec;
 pub const MAX_ATOMS: usize = 128;
 
 /// The ground atoms of a task: either every predicate with every choice of distinct
-/// objects of the right types, or those that its operators name
-/// ([`pddl::Grounding`](crate::pddl::Grounding)).
+/// objects of the right types, or, where it was given as PDDL, those that its operators
+/// name.
 ///
 /// They are in the order of the predicates, then of the objects, the last one
 /// changing fastest. An [`AtomSet`] refers to them by their place.

@@ -2,8 +2,6 @@
 //! [`Predicate`]s, [`Operator`]s (Definition 2) and [`Controller`]s; a [`State`] is
 //! abstracted to the [`AtomSet`] of what holds in it (Definition 1), a [`Task`] is
 //! T = (O, x_0, g), and [`try_operator`] rolls an operator out and looks at its effects.
-//!
-//! Operators and problems can also be given as text, in PDDL: see [`crate::pddl`].
 
 mod abstraction;
 mod atom;

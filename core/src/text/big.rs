@@ -76,7 +76,7 @@ impl Big {
         while self.0.len() < other.0.len() {
             self.push(0);
         }
-        // A word for what is carried out of the highest.
+        // A word for the carry of the highest one.
         self.push(0);
         self.combine(other, u32::overflowing_add);
     }
@@ -86,7 +86,7 @@ impl Big {
         self.combine(other, u32::overflowing_sub);
     }
 
-    /// Adds or subtracts word by word, and what is carried or borrowed from the next.
+    /// Adds or subtracts word by word, with a carry or a borrow.
     fn combine(&mut self, other: &Big, operation: fn(u32, u32) -> (u32, bool)) {
         let mut carry = false;
         let mut others = other.0.iter();
@@ -99,8 +99,9 @@ impl Big {
         self.trim();
     }
 
-    /// The quotient of two numbers that are not zero, as `whole * 2^exponent` with a
-    /// whole number of 63 or 64 bits, and whether that is exact or a little too small.
+    /// The quotient of two numbers that are not zero: a whole number of 63 or 64 bits, the
+    /// exponent of two to multiply it with, and whether that is exact or a little too
+    /// small.
     pub(super) fn divide(&mut self, divisor: &mut Big) -> (u64, i32, bool) {
         let difference = self.bits() - divisor.bits();
         let shorter = if difference < 0 {

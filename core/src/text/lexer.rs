@@ -5,8 +5,8 @@
 use super::read_number;
 use crate::error::{Error, SyntaxError};
 
-/// Something failed; what, the lexer has noted. An error takes several words, which
-/// every function of a parser would have to hand on.
+/// The sign that reading failed. The lexer keeps the error itself, which takes several
+/// words that every function of a parser would have to hand on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Failed;
 
@@ -115,7 +115,7 @@ impl<'t> Lexer<'t> {
     /// Moves on past this symbol or name.
     ///
     /// # Errors
-    /// Notes a syntax error with `what` if something else stands there.
+    /// Keeps a syntax error with `what` if something else stands there.
     pub fn expect(&mut self, word: &str, what: &'static str) -> Result<(), Failed> {
         if self.accept(word) {
             Ok(())
@@ -127,7 +127,7 @@ impl<'t> Lexer<'t> {
     /// Moves on past a name and returns it.
     ///
     /// # Errors
-    /// Notes a syntax error with `what` if something else stands there.
+    /// Keeps a syntax error with `what` if something else stands there.
     pub fn expect_name(&mut self, what: &'static str) -> Result<&'t str, Failed> {
         match self.token {
             Token::Name(name) => {
@@ -147,7 +147,7 @@ impl<'t> Lexer<'t> {
         let before = self.text.as_bytes().get(..place.0).unwrap_or_default();
         let breaks = before.iter().filter(|byte| **byte == b'\n').count();
         let line = before.iter().rev().take_while(|byte| **byte != b'\n');
-        // In UTF-8 the bytes of a character but its first one begin with the bits 10.
+        // In UTF-8 all bytes of a character but the first one begin with the bits 10.
         let chars = line.filter(|byte| **byte >> 6 != 0b10).count();
         let number =
             |before: usize| u32::try_from(before).map_or(u32::MAX, |n| n.saturating_add(1));
@@ -158,33 +158,33 @@ impl<'t> Lexer<'t> {
         })
     }
 
-    /// Notes a syntax error at the token it stands on.
+    /// Keeps a syntax error at the token it stands on.
     pub(crate) fn fail(&mut self, what: &'static str) -> Failed {
         self.fail_at(self.place(), what)
     }
 
-    /// Notes a syntax error at an earlier token.
+    /// Keeps a syntax error at an earlier token.
     #[inline(never)]
     pub(crate) fn fail_at(&mut self, place: Place, what: &'static str) -> Failed {
         self.note(self.error_at(place, what))
     }
 
-    /// Notes that a table is full.
+    /// Keeps the error that a table is full.
     #[inline(never)]
     pub(crate) fn full(&mut self, what: &'static str) -> Failed {
         self.note(Error::CapacityExceeded(what))
     }
 
-    /// Notes an error of what it reads for.
+    /// Keeps an error of the parser that reads from it.
     pub(crate) fn note(&mut self, error: Error) -> Failed {
         self.failure = Some(error);
         Failed
     }
 
-    /// What was noted, if something failed.
+    /// Replaces the sign that reading failed by the error itself.
     ///
     /// # Errors
-    /// That.
+    /// The one that was kept.
     pub(crate) fn outcome<T>(&self, result: Result<T, Failed>) -> Result<T, Error> {
         result.map_err(|Failed| self.failure.unwrap_or(self.error("")))
     }
@@ -265,9 +265,9 @@ fn number_length(text: &[u8]) -> usize {
     })
 }
 
-/// How many bytes at the start are such.
-fn run(text: &[u8], mut such: impl FnMut(u8) -> bool) -> usize {
-    text.iter().take_while(|byte| such(**byte)).count()
+/// How many bytes at the start satisfy a condition.
+fn run(text: &[u8], mut condition: impl FnMut(u8) -> bool) -> usize {
+    text.iter().take_while(|byte| condition(**byte)).count()
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use super::big::Big;
 use super::shortest::Shortest;
 use core::fmt;
 
-/// Digits that can decide which `f64` is nearest; of those behind it only matters
+/// How many digits can decide which `f64` is nearest. Of later digits it matters only
 /// whether all are zero.
 const DIGITS: i32 = 768;
 
@@ -63,8 +63,8 @@ fn write_digit(out: &mut dyn fmt::Write, digit: u8) -> fmt::Result {
     out.write_char(char::from(b'0' + digit))
 }
 
-/// Reads a decimal number as the nearest `f64` (ties to even); `None` if it is none or
-/// not finite.
+/// Reads a decimal number as the nearest `f64` (ties to even); `None` if the text is no
+/// number, or that is not finite.
 pub fn read_number(text: &str) -> Option<f64> {
     let decimal = Decimal::read(text.as_bytes())?;
     let magnitude = match decimal.short() {
@@ -164,7 +164,7 @@ impl<'t> Decimal<'t> {
             _ => {}
         }
         if more {
-            // One more digit, which says that something is behind.
+            // One more digit, which stands for all that follow.
             whole.multiply_add(10, 1);
             power -= 1;
         }
@@ -176,7 +176,8 @@ impl<'t> Decimal<'t> {
     }
 }
 
-/// `e` or `E`, a sign and digits; nothing is zero. Too large ones stay too large.
+/// Reads `e` or `E`, a sign and digits; an empty text means zero. Exponents that are too
+/// large stay so.
 fn read_exponent(text: &[u8]) -> Option<i32> {
     let (negative, text) = match text {
         [] => return Some(0),
@@ -201,13 +202,13 @@ fn assemble(whole: u64, exponent: i32, exact: bool) -> Option<f64> {
     const KEPT: i32 = f64::MANTISSA_DIGITS as i32;
     // The exponent of the last bit; below the normal numbers it stays.
     let last = (exponent + 64 - whole.leading_zeros() as i32 - KEPT).max(-1074);
-    // Up to half of the last bit, and whether anything is behind that.
+    // The number in halves of the last bit, and whether anything follows.
     let dropped = (last - exponent).unsigned_abs() - 1;
     let halves = whole.checked_shr(dropped).unwrap_or(0);
     let more = !exact || halves.checked_shl(dropped) != Some(whole);
     let kept = halves >> 1;
     let up = halves & 1 == 1 && (more || kept & 1 == 1);
-    // A carry moves on into the exponent, which is what it should do.
+    // A carry moves on into the exponent, as it should.
     let biased = (last + 1074).unsigned_abs();
     let bits = (u64::from(biased) << (KEPT - 1)) + kept + u64::from(up);
     let value = f64::from_bits(bits);

@@ -43,7 +43,7 @@ impl Shortest {
             rest.multiply_power(2, exponent.unsigned_abs());
             above.multiply_power(2, exponent.unsigned_abs());
         }
-        // The logarithm of a power of two, rounded down; exact for all that there are.
+        // The logarithm of a power of two, rounded down; exact for all exponents of `f64`.
         let highest = exponent + 63 - whole.leading_zeros() as i32;
         let place = ((highest * 315_653) >> 20) + 1;
         if place < 0 {
@@ -53,7 +53,7 @@ impl Shortest {
             unit.multiply_power(10, place.unsigned_abs());
         }
         shortest.place = place;
-        // What is exactly half of the way is read as the even number.
+        // A text that lies half of the way is read as the even number.
         let reaches = |a: &Big, b: &Big| match a.compare(b) {
             Ordering::Less => false,
             Ordering::Equal => whole % 2 == 0,

@@ -102,7 +102,7 @@ fn region_bounds(learner: &Algorithm1<'_, f64>) -> Vec<f64> {
         Node::Number(value) => value,
         other => panic!("a bound that is no number: {other:?}"),
     };
-    let bounds = formula.constraints().iter().map(|c| number(c.right));
+    let bounds = formula.constraints().iter().map(|c| number(c.rhs));
     let mut bounds: Vec<f64> = bounds.collect();
     bounds.sort_by(f64::total_cmp);
     bounds

@@ -423,12 +423,12 @@ fn the_grammar_speaks_of_extremes_only() {
     let mut leaves = both(&["post.x", "post.y"]);
     leaves.extend(["base.x", "base.y"].map(String::from));
     leaves.extend(both(&["post.tip.x", "post.tip.y"]));
-    assert_eq!(found(features.rights(1, Dimension::Length)), leaves);
-    let relations = found(features.rights(2, Dimension::Length));
+    assert_eq!(found(features.rhs(1, Dimension::Length)), leaves);
+    let relations = found(features.rhs(2, Dimension::Length));
     let expected = of_pairs(&[pairs("base", "post"), pairs("post.tip", "base")]);
     assert_eq!(relations[..12], expected);
     assert_eq!(relations[12..14], ["0.25*min(post.x)", "0.5*min(post.x)"]);
-    let moved = found(features.lefts(2, Dimension::Length));
+    let moved = found(features.lhs(2, Dimension::Length));
     let mut expected = of_pairs(&[pairs("hand", "post")]);
     expected.extend(pairs("hand", "base"));
     expected.extend(of_pairs(&[pairs("hand", "post.tip")]));
@@ -438,7 +438,7 @@ fn the_grammar_speaks_of_extremes_only() {
     // the members that are there.
     for (index, text) in found(0..features.len()).iter().enumerate() {
         let region = Region::parse(&domain, &format!("{text} > 0")).unwrap();
-        let left = region.formula().constraints()[0].left;
+        let left = region.formula().constraints()[0].lhs;
         let nodes = region.formula().nodes();
         assert_eq!(
             texts(&domain, nodes, 0..nodes.len())[usize::from(left.0)],
@@ -450,8 +450,8 @@ fn the_grammar_speaks_of_extremes_only() {
     instance.extend([0.0, 2.0]);
     let scene = Scene::new(&domain, &instance, PointSet::all(&domain)).unwrap();
     let [first, second] = [
-        features.rights(1, Dimension::Length),
-        features.lefts(2, Dimension::Length),
+        features.rhs(1, Dimension::Length),
+        features.lhs(2, Dimension::Length),
     ];
     features.evaluate(&scene, &[3.0]);
     assert_eq!(
@@ -467,7 +467,7 @@ fn the_grammar_speaks_of_extremes_only() {
     features.evaluate(&scene, &[3.0]);
     let nothing = [f64::INFINITY, f64::NEG_INFINITY];
     assert_eq!(
-        features.values()[features.rights(1, Dimension::Length)][..2],
+        features.values()[features.rhs(1, Dimension::Length)][..2],
         nothing
     );
 }

@@ -83,8 +83,8 @@ fn evaluate(domain: &Domain<'_>, region: &Region, instance: &[f64], mu: f64) -> 
     let sample: Sample<'_, '_, f64, f64> = scene.sample(&theta);
     let formula = region.formula();
     formula.holds(|c| {
-        let [left, right] = [c.left, c.right].map(|id| sample.measure(formula.nodes(), id));
-        c.comparison.holds(&left, &right)
+        let [lhs, rhs] = [c.lhs, c.rhs].map(|id| sample.measure(formula.nodes(), id));
+        c.comparison.holds(&lhs, &rhs)
     })
 }
 

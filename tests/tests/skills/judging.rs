@@ -330,7 +330,7 @@ fn a_place_counts_until_its_block_is_picked_again() {
             for _ in 0..20 {
                 let chance = |ground: &GroundOperator, state: &State| {
                     let objects = ground.objects.as_slice();
-                    f64::from(Cover.sample(ground.operator, state, objects, &mut rng)[0])
+                    Cover.sample(ground.operator, state, objects, &mut rng)[0]
                 };
                 assert!(
                     kept || !works(task, operators, &places, chance),

@@ -197,7 +197,7 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
     let skill = skills.get_mut(0).unwrap();
     let region = Region::parse(skill.domain(), "sx <= 0.25 and sy >= 0.5").unwrap();
     skill.set_region(Some(region));
-    let mut rng = generator(1);
+    let (mut rng, mut doubles) = (generator(1), 0);
     for task in cluttered_tasks(4).iter().take(20) {
         let grounding = Grounding::new(&ClutteredTable, task).unwrap();
         for (place, ground) in (0..).zip(&grounding.operators) {
@@ -224,8 +224,10 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
             };
             assert!((0.0..=0.25).contains(&sx) && (0.5..=1.0).contains(&sy));
             assert_eq!([ex, ey], [can[0], can[1]]);
+            doubles += u32::from(sx != f64::from(sx as f32));
         }
     }
+    assert!(doubles > 0, "what is drawn from a region is not rounded");
 }
 
 #[test]

@@ -6,15 +6,16 @@ use crate::domain::node::Extreme;
 use crate::real::Real;
 
 /// `line(t) + factor * |vector(t)|`, or `line(t) + factor * angle(t)` with the angle
-/// between the vector and a fixed direction: what the features of the grammar become
-/// along a line of parameters, unless they hold two lengths or angles of vectors, a
-/// product of two parameters, a turn by a parameter or an extreme of what varies; those
-/// are unknown.
+/// between the vector and a fixed direction.
+///
+/// This is what the features of the grammar become along a line of parameters. Unknown are
+/// those with two lengths or angles of vectors, a product of two parameters, a turn by a
+/// parameter, or an extreme of values that vary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve<R> {
     /// The straight part.
     pub line: Line<R>,
-    /// How often the length or the angle counts.
+    /// By what the length or the angle is multiplied.
     pub factor: R,
     /// The vector whose length or angle is taken.
     pub vector: [Line<R>; 3],
@@ -62,8 +63,9 @@ impl<R: Real> Curve<R> {
         across.atan2(along)
     }
 
-    /// Where it may be zero: `line(t) = -factor * |vector(t)|`; NaN or infinite for
-    /// none. A root of the squared equation need not be one of the curve.
+    /// Where it may be zero: the roots of `line(t) = -factor * |vector(t)|`, squared, or
+    /// NaN or infinite where there is none. A root of the squared equation need not be one
+    /// of the curve.
     pub fn roots(&self) -> [R; 2] {
         let Some((Line { at: a, slope: b }, factor)) = self.without_angle() else {
             return [R::NAN; 2];
@@ -94,9 +96,9 @@ impl<R: Real> Curve<R> {
         )
     }
 
-    /// The straight part and the factor of a curve with the same vector and the same
-    /// roots that is no angle: a vector is at an angle to a direction where its part
-    /// along it is its length times the cosine. `None` if there are no roots.
+    /// The straight part and the factor of a curve without an angle that has the same
+    /// vector and the same roots: a vector has an angle to a direction where its part along
+    /// the direction is its length times the cosine. `None` if there are no roots.
     fn without_angle(&self) -> Option<(Line<R>, R)> {
         let Some(along) = self.along else {
             return Some((self.line, self.factor));
@@ -106,7 +108,7 @@ impl<R: Real> Curve<R> {
         possible.then(|| (along, -angle.sin_cos().1))
     }
 
-    /// Whether the value at `t` is zero but for rounding.
+    /// Whether the value at `t` is zero, up to rounding.
     pub fn is_near_zero(&self, t: R) -> bool {
         let size = self.line.at.abs() + (self.line.slope * t).abs();
         let tolerance = R::SQRT_EPSILON * (R::ONE + size);

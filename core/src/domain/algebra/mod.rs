@@ -21,7 +21,7 @@ use crate::real::Real;
 pub trait Arithmetic<R: Real>: Copy {
     /// A number that does not vary.
     fn constant(value: R) -> Self;
-    /// A quantity nothing is known about.
+    /// A quantity of which nothing is known.
     fn unknown() -> Self;
     /// `self + other`
     fn plus(self, other: Self) -> Self;

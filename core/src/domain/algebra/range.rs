@@ -14,7 +14,7 @@ pub struct Range<R> {
 }
 
 impl<R: Real> Range<R> {
-    /// The distances from zero.
+    /// The range of the distances from zero.
     fn magnitude(self) -> Range<R> {
         let (a, b) = (self.low.abs(), self.high.abs());
         let crosses = self.low <= R::ZERO && self.high >= R::ZERO;

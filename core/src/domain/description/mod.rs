@@ -17,13 +17,19 @@ impl<'t> Domain<'t> {
     ///
     /// ```
     /// use critreg::domain::Domain;
-    /// let domain = Domain::parse(
-    ///     "object stick { x: length, y: length, theta: angle }
-    ///      constant stick.width = 3.0: length
-    ///      parameter mu in [0, 1]
-    ///      point grasp = stick + (mu * stick.width, 0)",
-    /// )?;
+    /// let text = "object stick { x: length, y: length, theta: angle }
+    ///     constant stick.width = 3.0: length
+    ///     parameter mu in [0, 1]
+    ///     point grasp = stick + (mu * stick.width, 0)";
+    /// let domain = Domain::parse(text)?;
     /// assert_eq!(domain.instance_len(), 3);
+    /// // The stick, and a point on it that moves with the parameter.
+    /// let sampled: Vec<bool> = domain.points().iter().map(|point| point.sampled).collect();
+    /// assert_eq!(sampled, [false, true]);
+    ///
+    /// let error = Domain::parse("parameter mu in [1, 0]").unwrap_err();
+    /// let message = "line 1, column 21: the largest value must be above the smallest";
+    /// assert_eq!(error.to_string(), message);
     /// # Ok::<(), critreg::Error>(())
     /// ```
     ///
@@ -38,12 +44,12 @@ impl<'t> Domain<'t> {
         Ok(domain)
     }
 
-    /// As [`Domain::parse`], into an empty domain where it lies: domains are large, and
-    /// small machines have no stack for a second one.
+    /// As [`Domain::parse`], but reads into an empty domain, in place: domains are large,
+    /// and small machines have no stack for a second one.
     ///
     /// # Errors
     /// Those of [`Domain::parse`], and [`Error::OutOfSequence`] for a domain that is not
-    /// empty. After an error the domain is of no use.
+    /// empty. After an error the domain cannot be used.
     pub fn read(&mut self, text: &'t str) -> Result<(), Error> {
         if !self.text.is_empty() {
             return Err(Error::OutOfSequence("the domain was read already"));

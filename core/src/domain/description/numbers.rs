@@ -77,7 +77,7 @@ impl DomainParser<'_, '_> {
             .map_err(|_| self.lexer.full("parameters of an action"))
     }
 
-    /// The value of an expression over constants, and what it measures.
+    /// Reads an expression over constants: its value, and what it measures.
     fn number(&mut self) -> Result<(f64, Option<Dimension>), Failed> {
         let at = self.lexer.place();
         let kept = self.domain.nodes.len();

@@ -22,7 +22,7 @@ impl<'t> DomainParser<'_, 't> {
         self.attributes(name).map(|_| ())
     }
 
-    /// `{ x: length, ... }`: declares a type with these attributes.
+    /// Reads `{ x: length, ... }` and declares a type with these attributes.
     fn attributes(&mut self, name: &'t str) -> Result<u8, Failed> {
         self.lexer.expect("{", "expected `{` and the attributes")?;
         let first = self.domain.attributes.len();
@@ -89,7 +89,7 @@ impl<'t> DomainParser<'_, 't> {
         (first..self.domain.objects.len()).try_for_each(|index| self.describe(index, type_index))
     }
 
-    /// `: type`, or the attributes of the one object that was declared.
+    /// Reads `: type`, or the attributes of the one object that was declared.
     fn type_of_objects(&mut self, first: usize) -> Result<u8, Failed> {
         if self.lexer.accept(":") {
             let at = self.lexer.place();
@@ -109,7 +109,7 @@ impl<'t> DomainParser<'_, 't> {
         }
     }
 
-    /// `[ number ]` behind the name of a group.
+    /// Reads `[ number ]` behind the name of a group.
     fn member_count(&mut self) -> Result<Option<u8>, Failed> {
         if !self.lexer.accept("[") {
             return Ok(None);
@@ -158,8 +158,8 @@ impl<'t> DomainParser<'_, 't> {
         self.lexer.full("objects of a domain")
     }
 
-    /// Gives an object its attributes, and declares its pose as a point; with that of
-    /// the first member of a group those of all others.
+    /// Gives an object its attributes, and declares its pose as a point; for the first
+    /// member of a group, the poses of all members.
     fn describe(&mut self, index: usize, type_index: u8) -> Result<(), Failed> {
         let first_slot = self.domain.slots;
         let attributes = self.domain.attributes_of(type_index);

@@ -34,7 +34,7 @@ const MAX_TERMS: usize = 32;
 pub(super) struct DomainParser<'d, 't> {
     pub(super) domain: &'d mut Domain<'t>,
     pub(super) lexer: Lexer<'t>,
-    /// The group whose members get the point that is being read.
+    /// The group of which each member gets the point that is being read.
     pub(super) own: Option<u8>,
 }
 
@@ -46,12 +46,12 @@ impl<'t> DomainParser<'_, 't> {
         Dimension::from_name(word).ok_or_else(|| self.lexer.fail_at(at, WHAT))
     }
 
-    /// An expression over what is declared so far, without points.
+    /// Reads an expression over what is declared so far, without points.
     pub(super) fn expression(&mut self) -> Result<NodeId, Failed> {
         self.terms(false)
     }
 
-    /// An expression, or only one factor.
+    /// Reads an expression, or only one factor.
     pub(super) fn terms(&mut self, factor: bool) -> Result<NodeId, Failed> {
         let at = self.lexer.place();
         let mut nodes: Vec<Node, MAX_TERMS> = Vec::new();
@@ -85,14 +85,14 @@ impl<'t> DomainParser<'_, 't> {
         intern(&mut self.domain.nodes, node).map_err(|full| self.lexer.note(full.into()))
     }
 
-    /// A name that is not used yet for anything an expression could mean.
+    /// Reads a name that means nothing yet in an expression.
     pub(super) fn new_name(&mut self, what: &'static str, dotted: bool) -> Result<&'t str, Failed> {
         let at = self.lexer.place();
         let name = self.lexer.expect_name(what)?;
         if is_word(name) {
             return Err(self.lexer.fail_at(at, "this is a word of the language"));
         }
-        // It begins with no dot, or it would be no name.
+        // The lexer lets no name begin with a dot.
         let next = name.bytes().skip(1).chain([b'.']);
         let empty_part = name.bytes().zip(next).any(|pair| pair == (b'.', b'.'));
         if empty_part || (!dotted && split_at_dot(name).is_some()) {

@@ -1,4 +1,4 @@
-//! Statements that place things: shapes and points.
+//! Statements that declare shapes and points.
 
 use super::parser::DomainParser;
 use crate::domain::{Base, Dependence, Dimension, Member, Node, NodeId, Point, Shape};
@@ -75,7 +75,7 @@ impl<'t> DomainParser<'_, 't> {
         Ok(())
     }
 
-    /// `( expr, ... )`: the one or two sizes of a shape.
+    /// Reads `( expr, ... )`, the one or two sizes of a shape.
     fn sizes(&mut self, count: usize) -> Result<[NodeId; 2], Failed> {
         let mut sizes = [NodeId::default(); 2];
         let mut separator = "(";
@@ -197,15 +197,15 @@ impl<'t> DomainParser<'_, 't> {
         Ok([x, y, z])
     }
 
-    /// A component of a turn or an offset; `None` for a plain zero.
+    /// Reads a component of a turn or an offset; `None` for a plain zero.
     fn component(&mut self, dimension: Dimension) -> Result<Option<NodeId>, Failed> {
         let at = self.lexer.place();
         let id = self.expression()?;
         self.checked_component(at, id, dimension)
     }
 
-    /// Checks what a component measures, and folds one that is constant: a scene
-    /// evaluates it for every instance.
+    /// Checks what a component measures, and computes it if it is constant: a scene would
+    /// do so for every instance.
     fn checked_component(
         &mut self,
         at: Place,
@@ -268,7 +268,7 @@ impl<'t> DomainParser<'_, 't> {
         Ok(())
     }
 
-    /// To which group a frame belongs.
+    /// The group that a frame belongs to.
     fn member(&self, base: Base) -> Option<Member> {
         match base {
             Base::World => None,
@@ -292,7 +292,7 @@ impl<'t> DomainParser<'_, 't> {
         turn.into_iter().chain(offset).flatten().any(depends) || on_base.is_some_and(|p| p.sampled)
     }
 
-    /// The components of a point of the first member, for another member.
+    /// Turns the components of a point of the first member into those of another member.
     fn of_member(
         &mut self,
         mut components: [Option<NodeId>; 3],

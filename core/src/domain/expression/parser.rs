@@ -29,7 +29,7 @@ impl Domain<'_> {
         lexer.outcome(read)
     }
 
-    /// As [`Domain::parse_expression`]; the lexer notes errors.
+    /// As [`Domain::parse_expression`], but the lexer keeps the error.
     pub(crate) fn read_expression(
         &self,
         lexer: &mut Lexer<'_>,
@@ -38,8 +38,8 @@ impl Domain<'_> {
         self.parser(nodes, None).expression(lexer)
     }
 
-    /// A parser that lets an expression be about a member of the group `own` without
-    /// an extreme: of a point that each of its members has.
+    /// A parser of expressions that may be about a member of the group `own` without an
+    /// extreme, because each member gets the point that is being read.
     pub(in crate::domain) fn parser<'p>(
         &'p self,
         nodes: &'p mut VecView<Node>,
@@ -56,7 +56,7 @@ impl Domain<'_> {
 pub(in crate::domain) struct ExpressionParser<'d, 't, 'n> {
     pub(super) domain: &'d Domain<'t>,
     pub(super) nodes: &'n mut VecView<Node>,
-    /// The group whose members need no extreme.
+    /// The group of which an expression may be about a single member.
     pub(super) own: Option<u8>,
 }
 
@@ -134,7 +134,7 @@ impl ExpressionParser<'_, '_, '_> {
         self.intern(lexer, node)
     }
 
-    /// A number, a name, a call, or the extreme of one of these.
+    /// Reads a number, a name, a call, or the extreme of one of these.
     fn leaf(&self, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
         let at = lexer.place();
         if let Token::Name(name) = lexer.token()
@@ -173,7 +173,7 @@ impl ExpressionParser<'_, '_, '_> {
         Ok(Node::Extreme(extreme, quantity))
     }
 
-    /// The groups that a quantity is about.
+    /// The groups whose members a quantity is about.
     fn groups_of(&self, quantity: Option<Quantity>) -> impl Iterator<Item = u8> {
         let members = quantity.map_or([None; 3], |own| self.domain.members_in(own));
         members.into_iter().flatten().map(|member| member.group)
@@ -209,7 +209,7 @@ impl ExpressionParser<'_, '_, '_> {
         }
     }
 
-    /// Two points or three, of which it is one quantity or the other.
+    /// Reads two points or three, and makes the quantity that the function is of as many.
     fn of_points(
         &self,
         two: Option<Quantity>,

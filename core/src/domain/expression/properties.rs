@@ -64,7 +64,7 @@ impl Domain<'_> {
         }
     }
 
-    /// A bit for each parameter in an expression, without those that points depend on.
+    /// A bit for each parameter in an expression; parameters of points do not count.
     pub(in crate::domain) fn parameters_of(&self, nodes: &[Node], id: NodeId) -> u32 {
         let Ok(node) = node_at(nodes, id) else {
             return 0;
@@ -75,8 +75,8 @@ impl Domain<'_> {
         }
     }
 
-    /// Whether an expression has a number of an instance in it, without those that
-    /// points depend on.
+    /// Whether a number of an instance is in an expression; numbers that points depend on
+    /// do not count.
     pub(in crate::domain) fn reads(&self, nodes: &[Node], id: NodeId, slot: u8) -> bool {
         let Ok(node) = node_at(nodes, id) else {
             return false;

@@ -1,9 +1,9 @@
-//! The words of expressions. The parser, the writer, the names that nothing else may
-//! have and the error for an unknown function all go by these lists, so they agree.
+//! The words of expressions. The parser, the writer, the reserved names and the error for
+//! an unknown function all use these lists, and so agree.
 
 use crate::domain::{Coordinate, Extreme, Metric, Quantity};
 
-/// What stands before brackets.
+/// What a name before brackets means.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Function {
     /// A quantity of two points, of three, or one of each. The points in the list of
@@ -23,7 +23,7 @@ macro_rules! functions {
             $(($name, $function),)*
         ];
 
-        /// The error for a name that none of them has.
+        /// The error for any other name.
         pub(super) const UNKNOWN_FUNCTION: &str =
             concat!("unknown function; there are ", $first, $(", ", $name,)*);
     };
@@ -43,7 +43,7 @@ functions! {
     "max": Function::Extreme(Extreme::Greatest),
 }
 
-/// What stands behind a point and a dot.
+/// What a name behind a point and a dot means.
 const COORDINATES: &[(&str, Coordinate)] = &[
     ("x", Coordinate::X),
     ("y", Coordinate::Y),
@@ -54,7 +54,7 @@ const COORDINATES: &[(&str, Coordinate)] = &[
 /// The number pi.
 pub(super) const PI: &str = "pi";
 
-/// Whether a name means something in any expression, whatever a domain declares.
+/// Whether a name means something in every expression, whatever a domain declares.
 pub(in crate::domain) fn is_reserved(name: &str) -> bool {
     name == PI || function(name).is_some()
 }
@@ -84,7 +84,7 @@ fn meaning<T: Copy>(words: &[(&str, T)], name: &str) -> Option<T> {
         .map(|(_, meaning)| *meaning)
 }
 
-/// The name of the function that can be this quantity of points.
+/// The name of the function that makes this quantity of points.
 pub(super) fn name_of_quantity(quantity: Quantity) -> Option<&'static str> {
     let example = quantity.with_points([0, 1, 2]);
     name(FUNCTIONS, |function| match *function {
@@ -210,7 +210,7 @@ mod tests {
             .take_while(|line| !line.starts_with("//! path"))
             .collect();
         let rules = rules.join("\n");
-        // What is quoted stands at the odd places; what is a name is no sign.
+        // Every second piece is quoted. Some of these are signs.
         let quoted = rules.split('"').skip(1).step_by(2);
         let documented: BTreeSet<_> = quoted.filter(|word| function(word).is_some()).collect();
         let names: BTreeSet<_> = FUNCTIONS.iter().map(|(name, _)| *name).collect();

@@ -115,7 +115,7 @@ impl Domain<'_> {
     }
 }
 
-/// What a term is the negative of: `-x` is read as `0 - x`, but `-2` as a number.
+/// The term `x`, if a term is `-x`: that is read as `0 - x`, but `-2` as a number.
 fn negated(nodes: &[Node], node: Node) -> Option<NodeId> {
     let Node::Difference(zero, term) = node else {
         return None;

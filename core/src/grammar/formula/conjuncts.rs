@@ -46,7 +46,7 @@ impl FormulaComparison<'_> {
         self.constraints += 1;
         let known = self.formula.constraints.get(place).is_some_and(|other| {
             let ours = &self.formula.nodes;
-            let right = Node::Number(own.bound);
+            let rhs = Node::Number(own.bound);
             let named = match (other.name, own.name) {
                 (None, None) => true,
                 (Some(a), Some(b)) => is_same(ours, a, nodes, b),
@@ -54,8 +54,8 @@ impl FormulaComparison<'_> {
             };
             named
                 && other.comparison == own.comparison
-                && ours.get(usize::from(other.right.0)) == Some(&right)
-                && is_same(ours, other.left, nodes, own.left)
+                && ours.get(usize::from(other.rhs.0)) == Some(&rhs)
+                && is_same(ours, other.lhs, nodes, own.lhs)
         });
         known && u8::try_from(place).is_ok_and(|place| self.is_step(Step::Constraint(place)))
     }
@@ -148,9 +148,9 @@ impl Formula {
     fn copy_constraint(&self, constraint: &Constraint, to: &mut Formula) -> Result<(), Error> {
         let name = constraint.name;
         let copied = Constraint {
-            left: copy(&self.nodes, constraint.left, &mut to.nodes)?,
+            lhs: copy(&self.nodes, constraint.lhs, &mut to.nodes)?,
             comparison: constraint.comparison,
-            right: copy(&self.nodes, constraint.right, &mut to.nodes)?,
+            rhs: copy(&self.nodes, constraint.rhs, &mut to.nodes)?,
             name: match name {
                 Some(name) => Some(copy(&self.nodes, name, &mut to.nodes)?),
                 None => None,

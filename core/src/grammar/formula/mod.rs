@@ -1,15 +1,4 @@
-//! Constraints joined by `and`, `or` and `not` (thesis 4.2), and their text form.
-//!
-//! ```text
-//! formula    = conjunction { "or" conjunction } ;
-//! conjunction= literal { "and" literal } ;
-//! literal    = "not" literal | "true" | "(" formula ")" | constraint ;
-//! constraint = expr ( "<" | "<=" | ">=" | ">" ) expr [ "(" expr ")" ] ;
-//! ```
-//!
-//! The expression in brackets behind a constraint names its right side:
-//! `grasp.y <= 2.9 (zone.top - robot.radius)`. It is kept, printed and otherwise
-//! ignored. `expr` is that of the [domain text](crate::domain).
+//! Constraints joined by `and`, `or` and `not` (thesis 4.2), and their text.
 
 mod comparison;
 mod conjuncts;
@@ -35,11 +24,11 @@ pub const MAX_FORMULA_STEPS: usize = 96;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
     /// Left side, in the formula's nodes.
-    pub left: NodeId,
+    pub lhs: NodeId,
     /// How the sides are compared.
     pub comparison: Comparison,
     /// Right side, in the formula's nodes.
-    pub right: NodeId,
+    pub rhs: NodeId,
     /// What the right side is in terms of the domain's constants.
     pub name: Option<NodeId>,
 }
@@ -48,7 +37,7 @@ pub struct Constraint {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inequality {
     /// Left side.
-    pub left: NodeId,
+    pub lhs: NodeId,
     /// How the sides are compared.
     pub comparison: Comparison,
     /// Right side.
@@ -90,7 +79,20 @@ impl From<bool> for Truth {
     }
 }
 
-/// A statement about a sample in an instance: constraints and connectives.
+/// A statement about a sample in an instance: constraints and connectives. Its text is
+///
+/// ```text
+/// formula    = conjunction { "or" conjunction } ;
+/// conjunction= literal { "and" literal } ;
+/// literal    = "not" literal | "true" | "(" formula ")" | constraint ;
+/// constraint = expr ( "<" | "<=" | ">=" | ">" ) expr [ "(" expr ")" ] ;
+/// ```
+///
+/// with the `expr` of the [domain text](crate::domain#the-domain-text). The expression in
+/// brackets behind a constraint names its right side, as in
+/// `grasp.y <= 2.9 (zone.top - robot.radius)`. It is kept, printed and otherwise ignored.
+/// Formulas and expressions are nested at most [`MAX_DEPTH`](crate::domain::MAX_DEPTH)
+/// deep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
     pub(super) nodes: Vec<Node, MAX_FORMULA_NODES>,
@@ -143,7 +145,7 @@ impl Formula {
         added
     }
 
-    /// Makes it the same as another, where it lies.
+    /// Copies another formula into this one, in place.
     pub(crate) fn copy_from(&mut self, other: &Formula) {
         self.clear();
         // There is room: both have the same.
@@ -161,9 +163,9 @@ impl Formula {
         let joined = !self.steps.is_empty();
         for (index, own) in any_of.iter().enumerate() {
             let constraint = Constraint {
-                left: copy(nodes, own.left, &mut self.nodes)?,
+                lhs: copy(nodes, own.lhs, &mut self.nodes)?,
                 comparison: own.comparison,
-                right: intern(&mut self.nodes, Node::Number(own.bound))?,
+                rhs: intern(&mut self.nodes, Node::Number(own.bound))?,
                 name: match own.name {
                     Some(name) => Some(copy(nodes, name, &mut self.nodes)?),
                     None => None,

@@ -105,12 +105,12 @@ impl FormulaParser<'_, '_, '_> {
     }
 
     fn constraint(&mut self) -> Result<(), Failed> {
-        let left = self.expression()?;
+        let lhs = self.expression()?;
         let at = self.lexer.place();
         let comparison = comparison(self.lexer.token())
             .ok_or_else(|| self.lexer.fail_at(at, "expected `<`, `<=`, `>=` or `>`"))?;
         self.lexer.advance();
-        let right = self.expression()?;
+        let rhs = self.expression()?;
         let mut name = None;
         if self.lexer.accept("(") {
             name = Some(self.expression()?);
@@ -118,7 +118,7 @@ impl FormulaParser<'_, '_, '_> {
                 .expect(")", "expected `)` behind the name of the bound")?;
         }
         let dimension = |id: NodeId| self.domain.dimension(&self.formula.nodes, id);
-        let sides = [Some(left), Some(right), name].map(|id| id.and_then(dimension));
+        let sides = [Some(lhs), Some(rhs), name].map(|id| id.and_then(dimension));
         let mut measured = sides.iter().flatten();
         if let Some(first) = measured.next()
             && measured.any(|d| d != first)
@@ -128,9 +128,9 @@ impl FormulaParser<'_, '_, '_> {
                 .fail_at(at, "the two sides have different dimensions"));
         }
         let constraint = Constraint {
-            left,
+            lhs,
             comparison,
-            right,
+            rhs,
             name,
         };
         let pushed = self.formula.push_constraint(constraint);

@@ -61,11 +61,11 @@ impl Formula {
         out: &mut dyn fmt::Write,
         constraint: &Constraint,
     ) -> fmt::Result {
-        domain.write_expression(out, &self.nodes, constraint.left)?;
+        domain.write_expression(out, &self.nodes, constraint.lhs)?;
         out.write_char(' ')?;
         out.write_str(constraint.comparison.symbol())?;
         out.write_char(' ')?;
-        domain.write_expression(out, &self.nodes, constraint.right)?;
+        domain.write_expression(out, &self.nodes, constraint.rhs)?;
         if let Some(name) = constraint.name {
             out.write_str(" (")?;
             domain.write_expression(out, &self.nodes, name)?;

@@ -12,7 +12,7 @@ pub(super) struct Bound<R> {
     pub(super) value: R,
     pub(super) comparison: Comparison,
     /// Its right side among the features.
-    pub(super) right: NodeId,
+    pub(super) rhs: NodeId,
 }
 
 /// The bounds on a left side: `[from above, from below]`.
@@ -42,7 +42,7 @@ impl<R: Real> Bound<R> {
     }
 
     fn is_from(&self, other: &Bound<R>) -> bool {
-        self.right == other.right && self.comparison == other.comparison
+        self.rhs == other.rhs && self.comparison == other.comparison
     }
 }
 
@@ -53,22 +53,22 @@ fn direction(comparison: Comparison) -> usize {
 /// The bounds of every left side, by its index among the features.
 #[derive(Debug)]
 pub(super) struct BoundTable<'m, R> {
-    lefts: &'m mut [Bounds<R>],
+    lhs: &'m mut [Bounds<R>],
 }
 
 impl<'m, R: Real> BoundTable<'m, R> {
     /// An empty table in borrowed memory.
-    pub(super) fn new(lefts: &'m mut [Bounds<R>]) -> Self {
-        lefts.fill(Bounds::BLANK);
-        BoundTable { lefts }
+    pub(super) fn new(lhs: &'m mut [Bounds<R>]) -> Self {
+        lhs.fill(Bounds::BLANK);
+        BoundTable { lhs }
     }
 
     /// The bounds, simple left sides first.
     pub(super) fn iter(&self) -> impl Iterator<Item = (NodeId, Bound<R>)> + '_ {
-        let lefts = self.lefts.iter().enumerate();
-        lefts.flat_map(|(left, bounds)| {
+        let lhs = self.lhs.iter().enumerate();
+        lhs.flat_map(|(lhs, bounds)| {
             let recorded = bounds.recorded.into_iter().flatten();
-            recorded.map(move |bound| (feature_id(left), bound))
+            recorded.map(move |bound| (feature_id(lhs), bound))
         })
     }
 
@@ -79,14 +79,14 @@ impl<'m, R: Real> BoundTable<'m, R> {
         features: &Features<'_, R>,
         feasible: bool,
     ) {
-        for bounds in self.lefts.iter_mut() {
+        for bounds in self.lhs.iter_mut() {
             bounds.candidate = [None, None];
         }
         let values = features.values();
-        let bounds = &mut *self.lefts;
+        let bounds = &mut *self.lhs;
         hypotheses.for_each_run(features, |run, pairs| {
             for_each_bound(run, pairs, values, |bound, _| {
-                let side = side_of(bounds, run.left, bound.comparison, |b| &mut b.candidate);
+                let side = side_of(bounds, run.lhs, bound.comparison, |b| &mut b.candidate);
                 if let Some(best) = side
                     && best.as_ref().is_none_or(|best| bound.dominates(best))
                 {
@@ -94,7 +94,7 @@ impl<'m, R: Real> BoundTable<'m, R> {
                 }
             });
         });
-        for bounds in self.lefts.iter_mut() {
+        for bounds in self.lhs.iter_mut() {
             let sides = bounds.recorded.iter_mut().zip(bounds.candidate);
             for (recorded, candidate) in sides {
                 *recorded = match (candidate, *recorded) {
@@ -114,10 +114,10 @@ impl<'m, R: Real> BoundTable<'m, R> {
 
     fn remove_dominated(&mut self, hypotheses: &mut Hypotheses<'_>, features: &Features<'_, R>) {
         let values = features.values();
-        let bounds = &mut *self.lefts;
+        let bounds = &mut *self.lhs;
         hypotheses.for_each_run(features, |run, pairs| {
             for_each_bound(run, pairs, values, |bound, pair| {
-                let side = side_of(bounds, run.left, bound.comparison, |b| &mut b.recorded);
+                let side = side_of(bounds, run.lhs, bound.comparison, |b| &mut b.recorded);
                 let best = side.and_then(|best| *best);
                 if !best.is_some_and(|best| best.is_from(&bound)) {
                     *pair &= !bit(bound.comparison);
@@ -135,8 +135,8 @@ fn for_each_bound<R: Real>(
     values: &[R],
     mut visit: impl FnMut(Bound<R>, &mut u8),
 ) {
-    let rights = run.rights.clone().zip(values.iter().skip(run.rights.start));
-    for ((right, value), pair) in rights.zip(pairs) {
+    let rhs = run.rhs.clone().zip(values.iter().skip(run.rhs.start));
+    for ((rhs, value), pair) in rhs.zip(pairs) {
         if *pair == 0 {
             continue;
         }
@@ -145,7 +145,7 @@ fn for_each_bound<R: Real>(
                 let bound = Bound {
                     value: *value,
                     comparison,
-                    right: feature_id(right),
+                    rhs: feature_id(rhs),
                 };
                 visit(bound, pair);
             }
@@ -155,9 +155,9 @@ fn for_each_bound<R: Real>(
 
 fn side_of<R>(
     bounds: &mut [Bounds<R>],
-    left: usize,
+    lhs: usize,
     comparison: Comparison,
     sides: fn(&mut Bounds<R>) -> &mut [Option<Bound<R>>; 2],
 ) -> Option<&mut Option<Bound<R>>> {
-    sides(bounds.get_mut(left)?).get_mut(direction(comparison))
+    sides(bounds.get_mut(lhs)?).get_mut(direction(comparison))
 }

@@ -250,15 +250,15 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         let mut formula = Formula::everything();
         let mut left_out = 0;
         let nodes = self.features.nodes();
-        for (left, bound) in self.bounds.iter() {
-            let term = nodes.get(usize::from(bound.right.0));
+        for (lhs, bound) in self.bounds.iter() {
+            let term = nodes.get(usize::from(bound.rhs.0));
             let literal = matches!(term, Some(Node::Number(_)));
-            let constant = domain.dependence(nodes, bound.right) == Dependence::Constant;
+            let constant = domain.dependence(nodes, bound.rhs) == Dependence::Constant;
             let inequality = Inequality {
-                left,
+                lhs,
                 comparison: bound.comparison,
                 bound: bound.value.to_f64(),
-                name: (constant && !literal).then_some(bound.right),
+                name: (constant && !literal).then_some(bound.rhs),
             };
             let added = formula.and(nodes, &[inequality]);
             left_out += usize::from(added.is_err());

@@ -62,14 +62,14 @@ fn inequality<R: Real>(
     bound: &Bound<R>,
     nodes: &mut VecView<Node>,
 ) -> Result<Inequality, Error> {
-    let left = left_side(forms, bound, nodes)?;
+    let lhs = left_side(forms, bound, nodes)?;
     let (value, named) = threshold(domain, forms, bound);
     let name = match named {
         Some(named) => Some(term(&named.name, nodes)?),
         None => None,
     };
     Ok(Inequality {
-        left,
+        lhs,
         comparison: if bound.form.upper {
             Comparison::LessEqual
         } else {

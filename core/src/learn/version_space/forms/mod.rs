@@ -135,13 +135,13 @@ impl<'m, R: Real> Forms<'m, R> {
         self.features.fill(domain, COMPLEXITY)?;
         for (own, dimension) in self.layout.lhs.iter_mut().zip(Dimension::ALL) {
             for (places, complexity) in own.iter_mut().zip(1..) {
-                let range = self.features.lefts(complexity, dimension);
+                let range = self.features.lhs(complexity, dimension);
                 // Left sides are the first features behind the factors.
                 let start = range.start.saturating_sub(FACTORS.len());
                 let len = range.len().min(self.lhs_room.saturating_sub(start));
                 *places = Places::between(start, start + len);
                 self.values.lhs_count += len;
-                let all = self.features.enumerated_lefts(complexity, dimension);
+                let all = self.features.enumerated_lhs(complexity, dimension);
                 if let Some(lost) = self.layout.lhs_left_out.get_mut(dimension as usize) {
                     *lost += u32::try_from(all).unwrap_or(u32::MAX) - len as u32;
                 }
@@ -207,7 +207,7 @@ impl<'m, R: Real> Forms<'m, R> {
             .chunks_exact_mut(self.values.rhs_count.max(1));
         for (index, row) in (0..problem.count()).zip(rows) {
             let mut scene = Scene::blank(problem.domain(), problem.instance(index)?, points);
-            scene.settle()?;
+            scene.place_points()?;
             // There are no samples yet, so their table is free.
             self.features.evaluate_into(&scene, &theta, self.values.lhs);
             fill(self.values.lhs, row);
@@ -228,7 +228,7 @@ impl<'m, R: Real> Forms<'m, R> {
             1 => 1,
             _ => 2,
         };
-        for feature in self.features.rights(complexity, dimension) {
+        for feature in self.features.rhs(complexity, dimension) {
             let nodes = self.features.nodes();
             let scaled = matches!(nodes.get(feature), Some(Node::Product(..)));
             let id = feature_id(feature);
@@ -291,7 +291,7 @@ impl<'m, R: Real> Forms<'m, R> {
     pub(super) fn evaluate(&self, scene: &Scene<'_, R>, theta: &Theta, lhs: &mut [R]) {
         let theta = theta.map(R::from_f64);
         let mut sample: Point<'_, '_, R, R> = Point::blank(scene, &theta);
-        sample.settle();
+        sample.place_points();
         let nodes = self.features.nodes().iter().skip(FACTORS.len());
         for (value, node) in lhs.iter_mut().zip(nodes).take(self.values.lhs_count) {
             *value = sample.node(*node, |_| R::ZERO);
@@ -309,7 +309,7 @@ impl<'m, R: Real> Forms<'m, R> {
     ) -> R {
         let theta = theta.map(R::from_f64);
         let mut sample: Point<'_, '_, R, R> = Point::blank(scene, &theta);
-        sample.settle();
+        sample.place_points();
         let node = self.features.nodes().iter().skip(FACTORS.len());
         let node = node.copied().nth(usize::from(form.lhs));
         let lhs = node.map_or(R::NAN, |node| sample.node(node, |_| R::ZERO));
@@ -331,7 +331,7 @@ impl<'m, R: Real> Forms<'m, R> {
         let instance = problem.instance(query.instance)?;
         let points = PointSet::all(problem.domain());
         let mut scene = Scene::blank(problem.domain(), instance, points);
-        scene.settle()?;
+        scene.place_points()?;
         self.evaluate(&scene, &query.theta, lhs);
         Ok(())
     }

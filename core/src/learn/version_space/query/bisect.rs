@@ -55,7 +55,7 @@ impl<R: Real> Strategy<'_, '_, R> {
                 continue;
             }
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
-            scene.settle()?;
+            scene.place_points()?;
             let beyond =
                 |theta: &Theta| self.forms.value_in(&scene, theta, &bound.form, instance) > value;
             let mut inside = self.any_theta(instance, rng);

@@ -24,7 +24,7 @@ impl<R: Real> Strategy<'_, '_, R> {
         for _ in 0..tuning.query_instances {
             let instance = below(rng, problem.count());
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
-            scene.settle()?;
+            scene.place_points()?;
             for candidate in 0..tuning.query_candidates {
                 let theta = if candidate % 2 == 0 {
                     self.any_theta(instance, rng)

@@ -47,7 +47,7 @@ impl<R: Real> Strategy<'_, '_, R> {
         for _ in 0..tuning.query_instances {
             let instance = below(rng, problem.count());
             let mut scene = Scene::blank(problem.domain(), problem.instance(instance)?, points);
-            scene.settle()?;
+            scene.place_points()?;
             for _ in 0..tuning.query_candidates {
                 let theta = self.any_theta(instance, rng);
                 self.forms.evaluate(&scene, &theta, lhs);

@@ -1,10 +1,10 @@
-//! The two sides of a constraint with extremes, along a line of parameters.
+//! A constraint with extremes, along a line of parameters.
 //!
-//! The least of several curves is none, but for each choice of one member in each
-//! extreme the sides are curves, and wherever the sides are equal, those of the
-//! members that count there are. So the roots of all choices are where the
-//! constraint can change its mind. In between, and for the question whether the
-//! members of a root are the ones that count, the constraint itself is evaluated.
+//! The least of several curves is not a curve. But if one member is chosen in each
+//! extreme, the sides of the constraint are curves. Where the sides are equal, they are
+//! equal for the members that have the least or greatest values there. So the constraint
+//! can change only at the roots of all choices. Whether it does so at a root, and what
+//! holds between two roots, follows from evaluating the constraint itself.
 
 use crate::domain::{Arithmetic, Curve, Line, MAX_PARAMETERS, Node, NodeId, Sample, Scene};
 use crate::grammar::{Comparison, Constraint};
@@ -13,10 +13,10 @@ use heapless::Vec;
 
 /// Most extremes that vary along a line, in one constraint.
 const MAX_EXTREMES: usize = 4;
-/// Most choices of a member in each.
+/// Most ways of choosing a member in each extreme.
 const MAX_CHOICES: usize = 1024;
 
-/// Positions on a line of parameters, as numbers and as a line.
+/// A line of parameters, and a scene along that line.
 #[derive(Clone, Copy)]
 pub(super) struct Along<'s, 'a, R> {
     pub(super) scene: &'s Scene<'a, R>,
@@ -24,32 +24,32 @@ pub(super) struct Along<'s, 'a, R> {
     pub(super) sample: &'s Sample<'s, 'a, R, Line<R>>,
 }
 
-/// A constraint along a line.
-pub(super) struct Gaps<'s, 'a, R> {
+/// A constraint along a line, and the ways of choosing one member in each extreme.
+pub(super) struct Choices<'s, 'a, R> {
     along: Along<'s, 'a, R>,
     nodes: &'s [Node],
     constraint: &'s Constraint,
-    /// The extremes that vary, and over how many members each is taken.
+    /// The extremes that vary, and how many members each has.
     extremes: Vec<(NodeId, usize), MAX_EXTREMES>,
 }
 
-impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
-    /// `None` if its curves are too many or not all known.
+impl<'s, 'a, R: Real> Choices<'s, 'a, R> {
+    /// `None` if there are too many curves, or one is unknown.
     pub(super) fn new(
         along: Along<'s, 'a, R>,
         nodes: &'s [Node],
         constraint: &'s Constraint,
     ) -> Option<Self> {
-        let mut gaps = Gaps {
+        let mut choices = Choices {
             along,
             nodes,
             constraint,
             extremes: Vec::new(),
         };
-        gaps.collect(constraint.left)?;
-        gaps.collect(constraint.right)?;
-        let known = gaps.choices() <= MAX_CHOICES && gaps.curves().all(|c| c.is_known());
-        known.then_some(gaps)
+        choices.collect(constraint.lhs)?;
+        choices.collect(constraint.rhs)?;
+        let known = choices.count() <= MAX_CHOICES && choices.curves().all(|c| c.is_known());
+        known.then_some(choices)
     }
 
     pub(super) fn comparison(&self) -> Comparison {
@@ -58,26 +58,26 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
 
     /// Left minus right, for each choice of members.
     pub(super) fn curves(&self) -> impl Iterator<Item = Curve<R>> {
-        (0..self.choices()).map(|choice| {
-            let [left, right] = [self.constraint.left, self.constraint.right].map(|id| {
+        (0..self.count()).map(|choice| {
+            let [lhs, rhs] = [self.constraint.lhs, self.constraint.rhs].map(|id| {
                 let chosen = |extreme| self.chosen(choice, extreme);
                 self.along.sample.measure_choosing(self.nodes, id, &chosen)
             });
-            left.minus(right)
+            lhs.minus(rhs)
         })
     }
 
     /// Whether the constraint holds at `t`.
     pub(super) fn holds(&self, t: R) -> bool {
-        let [left, right] = self.sides(t);
-        self.constraint.comparison.holds(&left, &right)
+        let [lhs, rhs] = self.sides(t);
+        self.constraint.comparison.holds(&lhs, &rhs)
     }
 
-    /// Whether the two sides are equal at `t` but for rounding.
+    /// Whether the two sides are equal at `t`, up to rounding.
     pub(super) fn is_near_zero(&self, t: R) -> bool {
-        let [left, right] = self.sides(t);
-        let tolerance = R::SQRT_EPSILON * (R::ONE + left.abs() + right.abs());
-        (left - right).abs() <= tolerance
+        let [lhs, rhs] = self.sides(t);
+        let tolerance = R::SQRT_EPSILON * (R::ONE + lhs.abs() + rhs.abs());
+        (lhs - rhs).abs() <= tolerance
     }
 
     fn sides(&self, t: R) -> [R; 2] {
@@ -86,10 +86,10 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
             *value = line.value(t);
         }
         let sample = self.along.scene.sample::<R>(&theta);
-        [self.constraint.left, self.constraint.right].map(|id| sample.measure(self.nodes, id))
+        [self.constraint.lhs, self.constraint.rhs].map(|id| sample.measure(self.nodes, id))
     }
 
-    /// Finds the extremes of an expression that vary; `None` if they are too many.
+    /// Finds the extremes of an expression that vary; `None` if there are too many.
     fn collect(&mut self, id: NodeId) -> Option<()> {
         match self.nodes.get(usize::from(id.0))? {
             Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b) => {
@@ -113,12 +113,12 @@ impl<'s, 'a, R: Real> Gaps<'s, 'a, R> {
         }
     }
 
-    /// How many choices there are of one member in each extreme.
-    fn choices(&self) -> usize {
+    /// In how many ways one member can be chosen in each extreme.
+    fn count(&self) -> usize {
         self.extremes.iter().map(|(_, members)| *members).product()
     }
 
-    /// The member of an extreme in a choice: its digit in the choice's number.
+    /// The member of an extreme in a choice: a digit of the number of the choice.
     fn chosen(&self, choice: usize, extreme: NodeId) -> Option<usize> {
         let mut rest = choice;
         for (id, members) in &self.extremes {
