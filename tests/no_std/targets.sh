@@ -5,28 +5,23 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cargo=$here/../../c_examples/cortex_m/cargo.sh
-manifest=$here/../../Cargo.toml
 host=$(rustc -vV | sed -n 's/^host: //p')
 # Without std there is nothing to unwind with.
 export CARGO_PROFILE_DEV_PANIC=abort
 
-check() {
-    "$cargo" "$target" check --quiet --manifest-path "$manifest" "$@"
-}
-
-# The C interface in every precision: for programs in C, and for those in Rust, which have
-# a panic handler already.
-check_ffi() {
-    for features in f64 f32 micromath "f64 f32"; do
-        check --package critreg-ffi --no-default-features --features "$features halt"
-        check --package critreg-ffi --no-default-features --features "$features"
-    done
+run() {
+    "$cargo" "$target" "$@" --quiet --manifest-path "$here/../../Cargo.toml"
 }
 
 for target in "$host" thumbv7em-none-eabihf thumbv6m-none-eabi; do
-    check --package critreg
-    check --package critreg --features micromath
-    check --package critreg --features environments
-    check_ffi
+    run check --package critreg
+    run check --package critreg --features micromath
+    run check --package critreg --features environments
+    # For a program in Rust, which has a panic handler, and for those in C.
+    run check --package critreg-ffi
+    for features in f64 f32 micromath "f64 f32"; do
+        run rustc --package critreg-ffi --no-default-features --features "$features halt" \
+            --profile check --crate-type staticlib
+    done
     echo "$target: core and the C interface, in every precision"
 done

@@ -6,18 +6,26 @@
 //! whether two of them meet. All are generic over [`Real`](crate::real::Real); sine
 //! and cosine are computed once, when a frame or a shape is made from an angle.
 
+mod body;
 mod cuboid;
 mod frame2;
 mod frame3;
 mod intersect;
+mod pieces;
+mod relation;
 mod rotation;
 mod shape;
 mod vector;
+mod zonogon;
+mod zonotope;
 
+pub use body::{Body, Dimensions};
 pub use cuboid::Cuboid;
 pub use frame2::Frame2;
 pub use frame3::Frame3;
 pub use intersect::Intersects;
+pub use pieces::{Piece, Pieces};
+pub use relation::{Axis, Relation, lipschitz, off, sight};
 pub(crate) use rotation::Rotation;
 pub use shape::{Circle, Rectangle, Segment};
 pub use vector::{Vector2, Vector3, distance, distance_squared};

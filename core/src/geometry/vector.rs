@@ -32,6 +32,14 @@ pub(super) fn add<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> Vect
     [a + x, b + y, c + z]
 }
 
+pub(super) fn subtract<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> Vector3<R> {
+    [a - x, b - y, c - z]
+}
+
+pub(super) fn scale<R: Real>([x, y, z]: Vector3<R>, factor: R) -> Vector3<R> {
+    [x * factor, y * factor, z * factor]
+}
+
 pub(super) fn dot<R: Real>([a, b, c]: Vector3<R>, [x, y, z]: Vector3<R>) -> R {
     a * x + b * y + c * z
 }

@@ -1,27 +1,39 @@
-//! Numbers that decide what is learned of skills and how it is used, each of them chosen
-//! by trial.
+//! The numbers that decide what is learned of skills and how it is used, in one place.
+//!
+//! They were chosen with `report -- domains` on learning seeds below 1000, which no published
+//! figure uses. How flat each optimum is was measured with `report -- domains --seeds 10`,
+//! whose seeds are others: 200 skills and 4800 plans. With the numbers as they are, 177
+//! skills have a region, the means of precision and recall are 99.7 % and 99.6 %, and
+//! planning begins anew, without advice, 3 times. Each number says what other values make
+//! of that; differences of fewer than ten times are within chance.
 
-/// Candidates to choose from, for each situation that is wanted.
+/// Candidates to choose from, for each situation that is wanted. With 2, planning begins
+/// anew 8 times; with 8, 5 times.
 pub(super) const CANDIDATES: usize = 4;
 
-/// In features: the most complex ones that tell how much situations differ.
+/// The highest complexity of the features by which situations differ. With 1, planning
+/// begins anew 5 times; with 3, 60 times, all in `cover_regrasp`.
 pub(super) const COMPLEXITY: usize = 2;
 
 /// How often situations are looked for in the same tasks: again with other parameters on
-/// the way, as long as there are not enough.
+/// the way, as long as there are not enough. With 2 or 8 nothing differs; with 1, precision
+/// and recall are 98.6 % and 98.4 %, and planning begins anew 57 times.
 pub(super) const ROUNDS: u64 = 4;
 
-/// Tries of a chain of operators, with other draws of the parameters that are free, before
-/// its answer is that it does not work.
+/// Tries of a situation, with other draws of the parameters that are free, before its
+/// answer is that it does not work. With 1, 176 skills have a region; with 4, 178.
 pub(super) const TRIES: u32 = 2;
 
 /// Runs of a controller after which an attribute that always had one value afterwards is
-/// expected to have it again.
+/// expected to have it again. With 2 or 6 nothing differs: most controllers run far more
+/// often, and the others are not to be trusted.
 pub(super) const CONSTANT_RUNS: u32 = 3;
 
-/// The share of an interval that the first draw of a step leaves out at both ends.
+/// The share of an interval that the first draw of a step leaves out at both ends. With
+/// none, planning begins anew 8 times; with 0.05, 4 times; with 0.2, 8 times.
 pub(super) const MARGIN: f64 = 0.1;
 
 /// Draws of a step from regions. If none of them works, it is not the parameters that are
-/// wrong.
+/// wrong. With 1, planning begins anew 11 times; with 6 it does so 3 times, but takes 13 %
+/// more samples.
 pub(super) const REGION_DRAWS: u32 = 3;

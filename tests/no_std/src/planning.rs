@@ -6,10 +6,11 @@ use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
 use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
 use critreg::env::stick_button::StickButton;
+use critreg::learn::{Capacity, Memory};
 use critreg::plan::{self, Conclusion, Config, GroundTask, Planner, ReasonId};
 use critreg::random::generator;
 use critreg::skill::{
-    Changes, Describe, RegionGuide, RegionSampler, Skill, Skills, Trainer, Training, TrainingMemory,
+    Describe, Oracle, RegionGuide, RegionSampler, SkillRoom, Trainer, Training, TrainingRoom,
 };
 use critreg::task::{State, Task};
 use critreg::text::TextBuffer;
@@ -22,10 +23,10 @@ pub struct Room<E> {
     training: Training,
     config: Config,
     seed: u64,
-    skills: [Option<Skill>; 8],
-    changes: [Changes; 8],
-    memory: TrainingMemory<'static>,
+    skills: SkillRoom<8, 8>,
+    situations: TrainingRoom<8, 32>,
     planner: plan::Room<State, 32, 256, 8>,
+    learner: (Memory<'static, f64>, Capacity),
     text: [u8; 512],
 }
 
@@ -52,9 +53,15 @@ plan_in! {
 
 fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {
     let environment = &room.environment;
-    let mut skills = Skills::new(environment, &mut room.skills, &mut room.changes)?;
-    let mut trainer = Trainer::new(environment, room.training, room.memory);
+    let mut skills = room.skills.lend(environment)?;
+    let memory = room.situations.lend(room.planner.lend(), room.learner);
+    let mut trainer = Trainer::new(environment, room.training, memory);
     trainer.learn(&mut skills, room.skill, room.tasks)?;
+    let found = trainer.situations(&skills, room.skill, room.tasks, 1)?;
+    let mut oracle = Oracle::new(environment, &mut skills);
+    for situation in found.iter().flatten() {
+        oracle.answer(situation, None, &mut generator(room.seed))?;
+    }
     let task = room.tasks.first().ok_or(Error::NoRegion)?;
     let ground = GroundTask::<E, 32>::new(environment, task)?;
     let mut guide = RegionGuide::new(environment, &skills, &task.initial);

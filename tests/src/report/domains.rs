@@ -18,7 +18,7 @@ use critreg::task::{ControllerId, Environment, Task};
 
 /// Test tasks of each recorded seed.
 const TASKS: usize = 30;
-/// Training tasks to choose instances from.
+/// Training tasks to choose situations from.
 const TRAINING: usize = 100;
 /// Nodes of the search.
 const NODES: usize = 200_000;
@@ -37,7 +37,7 @@ pub const NAMES: [&str; 8] = [
     "negative_control",
 ];
 
-/// How much is tried: at most a dozen instances, and so many questions that the controllers
+/// How much is tried: at most a dozen tasks, and so many questions that the controllers
 /// run for one operator are at most 250.
 pub fn training() -> Training {
     Training {

@@ -1,5 +1,6 @@
 //! What everything else computes with: numbers as text, precisions, frames and shapes.
 
+mod bodies;
 mod cuboid;
 mod geometry;
 mod micromath;

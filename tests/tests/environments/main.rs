@@ -5,4 +5,5 @@ mod blocks;
 mod cluttered_table;
 mod cover;
 mod shelf;
+mod single_precision;
 mod stick_button;

@@ -1,8 +1,8 @@
 //! Regions in the planner: roles, learning from training tasks, sampling, and why
 //! something cannot work.
 
-mod judging;
 mod learned;
 mod negative_control;
+mod region_guide;
 mod roles;
 mod situations;

@@ -52,10 +52,15 @@ impl Domain<'_> {
             }
             Ok(Node::Parameter(_)) => Dependence::Sample,
             Ok(Node::Quantity(quantity) | Node::Extreme(_, quantity)) => {
-                let mut points = quantity.points().into_iter().flatten();
-                let sampled = |i| self.points().get(usize::from(i)).is_some_and(|p| p.sampled);
+                let points = quantity.points();
+                let sampled = |i: &u8| {
+                    self.points()
+                        .get(usize::from(*i))
+                        .is_some_and(|p| p.sampled)
+                };
                 let sized = |id| self.dependence(self.nodes(), id) == Dependence::Sample;
-                match points.any(sampled) || self.sizes_of(quantity).any(sized) {
+                let moves = points.iter().flatten().any(sampled);
+                match moves || self.sizes_of(quantity).any(sized) {
                     true => Dependence::Sample,
                     false => Dependence::Instance,
                 }

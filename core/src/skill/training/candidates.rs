@@ -1,6 +1,7 @@
 //! Situations that could be made of training tasks.
 
 use super::memory::TrainingMemory;
+use super::situation::Candidate;
 use crate::error::Error;
 use crate::random::generator;
 use crate::region::Theta;
@@ -9,28 +10,7 @@ use crate::skill::description::Describe;
 use crate::skill::planning::proposal;
 use crate::skill::skills::Skill;
 use crate::table::swap_rows;
-use crate::task::{
-    Arguments, Atoms, ControllerId, GroundOperator, ObjectId, State, Task, ground_operators,
-};
-
-/// Objects of a task for the controllers of a skill: a situation that could be made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Candidate {
-    /// The task, by its place.
-    pub(super) task: u16,
-    /// The objects of the controller.
-    pub(super) objects: Arguments,
-    /// Those of the later one.
-    pub(super) later_objects: Arguments,
-}
-
-impl Candidate {
-    /// Whether an object is one of those it is about.
-    pub(super) fn has(&self, object: ObjectId) -> bool {
-        let all = [&self.objects, &self.later_objects];
-        all.iter().any(|own| own.as_slice().contains(&object))
-    }
-}
+use crate::task::{Arguments, Atoms, ControllerId, GroundOperator, State, Task, ground_operators};
 
 /// Lists the candidates of a skill in the order of the tasks, so many at most and as many as
 /// there is room for, with the numbers of their instances and parameters of the original

@@ -11,8 +11,9 @@ pub struct Training {
     pub learner: Config,
     /// Questions about two controllers.
     pub chained: u32,
-    /// Controllers that are run for one about which there is a single text: what the ways
-    /// to the situations leave of them are its questions, if these are more.
+    /// How many controllers may be run to learn one about which there is a single text. Its
+    /// questions are what the ways to situations leave of them, if that is more than the
+    /// learner's calls.
     pub budget: u32,
     /// Tasks that situations are taken from.
     pub tasks: usize,

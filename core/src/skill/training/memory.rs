@@ -1,7 +1,6 @@
 //! The memory of learning a skill.
 
-use super::candidates::Candidate;
-use super::situation::Situation;
+use super::situation::{Candidate, Situation};
 use crate::learn::{Capacity, Memory};
 use crate::plan;
 use crate::region::Theta;

@@ -9,9 +9,8 @@ mod selection;
 mod situation;
 mod trainer;
 
-pub use candidates::Candidate;
 pub use config::{Learned, Training};
 pub use memory::TrainingMemory;
 pub use oracle::Oracle;
-pub use situation::{MAX_CHAIN, Situation};
+pub use situation::{Candidate, MAX_CHAIN, Situation};
 pub use trainer::Trainer;

@@ -1,8 +1,8 @@
 //! Making situations of candidates: the way to a state in which an operator is
 //! applicable, and what a later operator needs in between.
 
-use super::candidates::{Candidate, of_controller};
-use super::situation::{MAX_CHAIN, Situation, controller_objects};
+use super::candidates::of_controller;
+use super::situation::{Candidate, MAX_CHAIN, Situation, controller_objects};
 use crate::error::Error;
 use crate::plan::{AbstractTask, Conclusion, Config, Memory, Planner, Simulated};
 use crate::random::generator;

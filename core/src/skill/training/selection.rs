@@ -1,7 +1,7 @@
 //! Which situations a skill is tried in: those that differ.
 
-use super::candidates::Candidate;
 use super::memory::TrainingMemory;
+use super::situation::Candidate;
 use crate::domain::{Node, PointSet, Scene};
 use crate::error::Error;
 use crate::grammar::Features;

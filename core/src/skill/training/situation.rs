@@ -1,4 +1,4 @@
-//! Where a skill is tried.
+//! Where a skill is tried, and where it could be.
 
 use crate::error::Error;
 use crate::learn::Outcome;
@@ -7,7 +7,7 @@ use crate::skill::context::Context;
 use crate::skill::description::Describe;
 use crate::skill::planning::proposal;
 use crate::skill::skills::Skill;
-use crate::task::{Arguments, GroundOperator, State};
+use crate::task::{Arguments, GroundOperator, ObjectId, State};
 use heapless::Vec;
 use rand_core::Rng;
 
@@ -60,6 +60,25 @@ impl Situation {
         own.map_or(Theta::default(), |own| {
             proposal(environment, own, &self.state, rng)
         })
+    }
+}
+
+/// Objects of a task for the controllers of a skill: a situation that could be made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Candidate {
+    /// The task, by its place.
+    pub(super) task: u16,
+    /// The objects of the controller.
+    pub(super) objects: Arguments,
+    /// Those of the later one.
+    pub(super) later_objects: Arguments,
+}
+
+impl Candidate {
+    /// Whether an object is one of those it is about.
+    pub(super) fn has(&self, object: ObjectId) -> bool {
+        let all = [&self.objects, &self.later_objects];
+        all.iter().any(|own| own.as_slice().contains(&object))
     }
 }
 
