@@ -10,11 +10,11 @@ pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
 
 /// Bytes of a learner that do not depend on its capacity, on a machine with
 /// pointers of 32 bits; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_LEARNER_FIXED_BYTES: usize = 18_432;
+pub const CRITREG_LEARNER_FIXED_BYTES: usize = 18_944;
 
 /// Bytes of a region, on a machine with pointers of 32 bits; for
 /// CRITREG_REGION_WORDS.
-pub const CRITREG_REGION_FIXED_BYTES: usize = 12_032;
+pub const CRITREG_REGION_FIXED_BYTES: usize = 12_544;
 
 /// Pointers in a handle, which take more room on a machine with longer ones; for
 /// CRITREG_LEARNER_WORDS and CRITREG_REGION_WORDS.
