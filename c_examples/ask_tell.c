@@ -73,7 +73,7 @@ static critreg_learner *new_learner(uint64_t *memory, size_t memory_len)
 
     CHECK(critreg_config_init(&config, sizeof config));
     config.seed = 1;
-    config.iterations = 40;
+    config.calls = 40;
     CHECK(critreg_learner_init(memory, memory_len, DOMAIN, &config, &learner));
     return learner;
 }

@@ -27,7 +27,7 @@ static bool close_gripper(const double *instance, const double *theta) {
 
 static critreg::Region learn_openings() {
     critreg_config config = critreg::Learner::default_config();
-    config.iterations = 40;
+    config.calls = 40;
     critreg::Learner learner(DOMAIN, config);
 
     // An exception of the simulator comes through, and learning can go on.

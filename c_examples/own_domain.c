@@ -156,9 +156,9 @@ static const critreg_region *learn(uint64_t seed, int *calls)
         new_table(&rng, instances[i]);
     CHECK(critreg_config_init(&config, sizeof config));
     config.seed = seed;
-    config.hypotheses = 4096;
+    config.forms = 4096;
     config.observations = CALLS;
-    config.iterations = CALLS;
+    config.calls = CALLS;
     config.slack = 0.05;    /* the truth is no conjunction: a constraint may miss a few */
     CHECK(critreg_learner_init(memory, sizeof memory, DOMAIN, &config, &learner));
     status = critreg_learn_region(learner, &instances[0][0], PLACES, try_place, calls, &region);

@@ -25,7 +25,7 @@
 static uint64_t memory[CRITREG_LEARNER_WORDS(FORMS, 256)];
 
 /* Learns with a seed, from tasks of its own. No region is an answer, too. */
-static const critreg_region *learn(uint32_t kind, uint64_t seed, uint32_t iterations,
+static const critreg_region *learn(uint32_t kind, uint64_t seed, uint32_t calls,
                                    critreg_report *report)
 {
     double negative = 0.95, positive = 0.5, instances[TRAINING][NUMBERS];
@@ -40,10 +40,10 @@ static const critreg_region *learn(uint32_t kind, uint64_t seed, uint32_t iterat
     CHECK(critreg_config_init(&config, sizeof config));
     config.learner = kind;
     config.seed = seed;
-    config.iterations = iterations;
-    config.hypotheses = FORMS;
+    config.calls = calls;
+    config.forms = FORMS;
     if (kind == CRITREG_ALGORITHM1) {
-        config.hypotheses = HYPOTHESES;
+        config.forms = HYPOTHESES;
         config.negative = &negative;
         config.positive = &positive;
     }
@@ -105,7 +105,7 @@ static void print_run(uint32_t kind, long seed, const critreg_report *report,
 }
 
 /* The first seed in full, unless K is 0, and all in numbers. */
-static void run(const char *title, uint32_t kind, uint32_t iterations, long seeds)
+static void run(const char *title, uint32_t kind, uint32_t calls, long seeds)
 {
     static double rates[MOST_SEEDS], coverages[MOST_SEEDS];
     int learned = 0, useful = 0;
@@ -113,13 +113,13 @@ static void run(const char *title, uint32_t kind, uint32_t iterations, long seed
     printf("\nlearner: %s\n", title);
     for (seed = 0; seed < seeds; seed++) {
         critreg_report report;
-        const critreg_region *region = learn(kind, (uint64_t)seed, iterations, &report);
+        const critreg_region *region = learn(kind, (uint64_t)seed, calls, &report);
         quality found = {0, 0.0, 0.0};
         if (region != NULL) {
             found = judge(region);
             learned++;
         }
-        if (seed == 0 && iterations > 0)
+        if (seed == 0 && calls > 0)
             print_run(kind, seed, &report, region, found);
         if (found.draws > 0) {
             rates[useful] = found.rate;

@@ -112,8 +112,8 @@ static const critreg_region *learn(const char *what, uint64_t *memory, size_t me
     for (i = 0; i < instances; i++)
         CHECK(critreg_stick_button_task(FIRST_TRAINING + i, 0, 1, tasks[i], NUMBERS_OF_ONE));
     CHECK(critreg_config_init(&config, sizeof config));
-    config.hypotheses = FORMS;
-    config.iterations = CALLS;
+    config.forms = FORMS;
+    config.calls = CALLS;
     config.instances = instances;
     config.steps = steps;
     CHECK(critreg_learner_init(memory, memory_len, domain, &config, &learner));

@@ -38,15 +38,15 @@
  * How much memory a learner takes, with the default instances and steps, on a
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
- *     hypotheses  observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
+ *     forms       observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
  *           1024           128            136872 bytes           34752 bytes
  *           4096           256            553096 bytes           46528 bytes
  *          10000           256           1166060 bytes           55368 bytes
  *          20000           256           2148560 bytes           70368 bytes
  *
- * Every further instance takes hypotheses + 512 bytes more, every further step
- * 16 * hypotheses + 5632 at most. On a small machine critreg_config.precision and
- * critreg_config.tracked save most of it: 1024 hypotheses, 128 observations and 4
+ * Every further instance takes forms + 512 bytes more, every further step
+ * 16 * forms + 5632 at most. On a small machine critreg_config.precision and
+ * critreg_config.tracked save most of it: 1024 forms, 128 observations and 4
  * instances take 48552 bytes with CRITREG_F32, nothing tracked and pointers of 32
  * bits, in a library without CRITREG_ALGORITHM1. The macros of
  * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
@@ -126,20 +126,20 @@
  *
  * LEARNERS
  *
- * CRITREG_VERSION_SPACE, the default, is sound. Its hypotheses are forms: a feature
+ * CRITREG_VERSION_SPACE, the default, is sound. It looks at forms: a feature
  * that the sample moves, such as a coordinate or distance of a point, minus one of
  * the instance, or nothing. A constraint bounds a form from one side. S is the
  * form's extreme value over the feasible samples, so a bound cannot be tighter; G
  * is the value at the first infeasible sample that the constraint has to exclude,
  * so it must be tighter than that. Infeasible samples delete nothing: some
  * constraint must exclude each. The region is the fewest and simplest constraints
- * that do; the questions are those about which explanations disagree, and then
+ * that do; the queries are those about which such hypotheses disagree, and then
  * those that halve the gap between S and G. If exactly one simplest expression of
  * the domain's constants lies in the gap, it is the bound, and its name is printed
  * behind it. critreg_region_constraint() tells S, G and the number of infeasible
  * samples for each constraint.
  *
- * The last questions (critreg_config.certifying) are draws from the region. What
+ * The last queries (critreg_config.certifying) are draws from the region. What
  * they prove about it is in the report: the certificate.
  *
  * Sequences of actions: if the action is a chain, say in critreg_config.steps how
@@ -147,13 +147,13 @@
  * is learned from the samples that reached it, and the region is what all of them
  * need. CRITREG_ALGORITHM1 makes no difference between steps.
  *
- * Wrong answers: if a share of the answers is wrong, say so in
- * critreg_config.noise. Every sample is then asked until one answer leads by enough
- * (sequential test): about 3 answers per sample with 2% of wrong ones, 6 with 10%.
- * Allow for as many more iterations.
+ * Wrong outcomes: if a share of them is wrong, say so in
+ * critreg_config.noise. Every sample is then asked until one outcome leads by enough
+ * (sequential test): about 3 calls per sample with 2% of wrong outcomes, 6 with 10%.
+ * Allow for as many more calls.
  *
  * CRITREG_NO_REGION is an honest answer: no form excludes some infeasible sample,
- * the explanation is too complex for what it explains, or the parameters were not
+ * the hypothesis is too complex for what it explains, or the parameters were not
  * shown to matter. Keep the original sampler.
  *
  * CRITREG_ALGORITHM1 is the thesis's learner as written, for comparison. It wants
@@ -385,21 +385,21 @@
 #define CRITREG_FAILED_STEP(k) (-(critreg_outcome)(k))
 
 /**
- * How many uint64_t make the memory of a learner with room for so many hypotheses,
+ * How many uint64_t make the memory of a learner with room for so many forms,
  * observations, problem instances and steps of an action sequence, for static
  * arrays. It is enough for either learner; critreg_learner_size() tells the exact
  * number of bytes.
  */
-#define CRITREG_LEARNER_WORDS_FOR(hypotheses, observations, instances, steps)  \
+#define CRITREG_LEARNER_WORDS_FOR(forms, observations, instances, steps)  \
     ((CRITREG_LEARNER_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)   \
-      + ((size_t)(hypotheses) / 8 + 64)                                        \
+      + ((size_t)(forms) / 8 + 64)                                        \
             * (CRITREG_FEATURE_BYTES + 8 * (size_t)(instances))                \
-      + (size_t)(hypotheses)                                                   \
+      + (size_t)(forms)                                                   \
             * (CRITREG_SPAN_BYTES * (size_t)(steps)                            \
                + 16 * (((size_t)(observations) + 63) / 64))                    \
       + (size_t)(observations)                                                 \
             * (CRITREG_OBSERVATION_BYTES + 128                                 \
-               + 8 * ((hypotheses) / 128 < 48 ? (size_t)(hypotheses) / 128     \
+               + 8 * ((forms) / 128 < 48 ? (size_t)(forms) / 128     \
                                               : 48))                           \
       + (size_t)(steps) * CRITREG_STEP_BYTES + 7) / 8)
 
@@ -409,8 +409,8 @@
  *
  *     static uint64_t memory[CRITREG_LEARNER_WORDS(4096, 256)];
  */
-#define CRITREG_LEARNER_WORDS(hypotheses, observations)                        \
-    CRITREG_LEARNER_WORDS_FOR(hypotheses, observations,                        \
+#define CRITREG_LEARNER_WORDS(forms, observations)                        \
+    CRITREG_LEARNER_WORDS_FOR(forms, observations,                        \
                               CRITREG_DEFAULT_INSTANCES, 1)
 
 /**
@@ -577,28 +577,28 @@
 
 /**
  * For critreg_config.learner: the sound learner, and the default. It keeps every
- * explanation of the answers, asks where they disagree, names the thresholds it
+ * hypothesis that agrees with the outcomes, asks where they disagree, names the thresholds it
  * finds, says what supports each constraint, and certifies the region by draws
- * from it. Where nothing explains the answers it says CRITREG_NO_REGION.
+ * from it. Where none explains the outcomes it says CRITREG_NO_REGION.
  */
 #define CRITREG_VERSION_SPACE 2
 
 /**
  * Observations a learner has room for unless the configuration tells: this many,
- * or iterations + 2 if that is more.
+ * or calls + 2 if that is more.
  */
 #define CRITREG_DEFAULT_OBSERVATIONS 256
 
 /**
- * Hypotheses that critreg_learner_size() makes room for unless the configuration
+ * Forms that critreg_learner_size() makes room for unless the configuration
  * tells.
  */
-#define CRITREG_DEFAULT_HYPOTHESES 4096
+#define CRITREG_DEFAULT_FORMS 4096
 
 /**
- * Most hypotheses that a learner takes without being told how many.
+ * Most forms that a learner takes without being told how many.
  */
-#define CRITREG_MAX_DEFAULT_HYPOTHESES (1 << 24)
+#define CRITREG_MAX_DEFAULT_FORMS (1 << 24)
 
 /**
  * Problem instances a learner has room for unless the configuration tells.
@@ -767,7 +767,7 @@ typedef int32_t critreg_status;
 /**
  * How learning went so far.
  *
- * CRITREG_VERSION_SPACE counts forms as hypotheses, from the first question on;
+ * CRITREG_VERSION_SPACE counts forms, from the first query on;
  * it deletes none. CRITREG_ALGORITHM1 counts every comparison of two features on
  * its own; it ignores no samples and has no certificate, so these are 0.
  */
@@ -807,11 +807,11 @@ typedef struct critreg_report {
      */
     uint64_t remaining;
     /**
-     * Answers told: calls of the simulator.
+     * Outcomes told: calls of the simulator.
      */
     uint64_t calls;
     /**
-     * Samples that were feasible. With noise a sample takes several answers, so
+     * Samples that were feasible. With noise a sample takes several calls, so
      * that feasible and infeasible ones are fewer than the calls.
      */
     uint64_t feasible;
@@ -878,30 +878,31 @@ typedef struct critreg_config {
     uint32_t learner;
     /**
      * Seed of all random choices. Default 0. The same seed, domain, instances,
-     * capacities and answers give the same region on every machine.
+     * capacities and outcomes give the same region on every machine.
      */
     uint64_t seed;
     /**
-     * Hypotheses to have room for, at least 4: the forms of
-     * CRITREG_VERSION_SPACE, the comparisons of CRITREG_ALGORITHM1. More reach
-     * more complex constraints and take more time per sample. Default 0: what the
-     * memory has room for.
+     * Forms to have room for, at least 4: the differences of two features that
+     * CRITREG_VERSION_SPACE bounds, or the comparisons of two features that are the
+     * hypotheses of CRITREG_ALGORITHM1. More reach more complex constraints and take
+     * more time per sample. Default 0: what the memory has room for.
      */
-    uint32_t hypotheses;
+    uint32_t forms;
     /**
      * Samples to have room for. When they are used up, telling returns
      * CRITREG_CAPACITY_EXCEEDED. CRITREG_VERSION_SPACE takes at most
      * CRITREG_MAX_OBSERVATIONS. Default 0: CRITREG_DEFAULT_OBSERVATIONS, or
-     * iterations + 2 if that is more.
+     * calls + 2 if that is more.
      */
     uint32_t observations;
     /**
-     * Answers that CRITREG_VERSION_SPACE asks for in all; samples that
-     * CRITREG_ALGORITHM1 draws itself (K of the thesis). Default 100.
+     * Outcomes that CRITREG_VERSION_SPACE asks for in all; samples that
+     * CRITREG_ALGORITHM1 draws itself (K of the thesis), beside its manual ones.
+     * Default 100.
      */
-    uint32_t iterations;
+    uint32_t calls;
     /**
-     * CRITREG_VERSION_SPACE: how many of these answers, the last ones, are about
+     * CRITREG_VERSION_SPACE: how many of these calls, the last ones, are about
      * draws from the region, to certify it. Default 10.
      */
     uint32_t certifying;
@@ -917,13 +918,13 @@ typedef struct critreg_config {
      */
     uint32_t steps;
     /**
-     * CRITREG_VERSION_SPACE: share of the answers that is wrong, from 0 to 0.2. If
-     * it is not 0, samples are asked again until the answer is beyond doubt:
-     * noise costs answers. Default 0.
+     * CRITREG_VERSION_SPACE: share of the outcomes that is wrong, from 0 to 0.2. If
+     * it is not 0, samples are asked again until the outcome is beyond doubt:
+     * noise costs calls. Default 0.
      */
     double noise;
     /**
-     * CRITREG_VERSION_SPACE: share of the questions that look for what nothing
+     * CRITREG_VERSION_SPACE: share of the queries that look for what nothing
      * hints at, from 0 to 1. Default 0.1.
      */
     double exploring;
@@ -960,7 +961,7 @@ typedef struct critreg_config {
     void *progress_data;
     /**
      * CRITREG_VERSION_SPACE: of how many forms, the simplest ones, it is tracked what
-     * the answers say about them. That of the others is computed whenever it is
+     * the outcomes say about them. That of the others is computed whenever it is
      * needed: the region is the same, for less memory and more time. Default
      * UINT32_MAX: of all.
      */
@@ -1642,8 +1643,8 @@ critreg_status critreg_config_init(struct critreg_config *config, size_t size);
  * array instead.
  *
  * @param config What the learner is to do, with its capacities; NULL for the
- * defaults. Where it leaves the number of hypotheses open it is
- * CRITREG_DEFAULT_HYPOTHESES.
+ * defaults. Where it leaves the number of forms open it is
+ * CRITREG_DEFAULT_FORMS.
  * @return The number of bytes; 0 if the configuration is wrong or memory cannot
  * be that large.
  */
@@ -1659,11 +1660,11 @@ size_t critreg_learner_align(void);
  * Makes a learner in memory of the program.
  *
  * The capacities come from the configuration. Where it leaves the number of
- * hypotheses open, the learner takes as many as the memory has room for beside
+ * forms open, the learner takes as many as the memory has room for beside
  * the observations, so that CRITREG_LEARNER_WORDS(4096, 256) words and a config
- * of NULL make room for at least 4096 hypotheses and 256 samples. What is
- * learned depends on the number of hypotheses; where the same result is wanted
- * from memory of another size, set config.hypotheses.
+ * of NULL make room for at least 4096 forms and 256 samples. What is
+ * learned depends on the number of forms; where the same result is wanted
+ * from memory of another size, set config.forms.
  *
  * A learner needs no end: reuse its memory when you are done with it. What the
  * memory held before does not matter.
@@ -1886,13 +1887,13 @@ critreg_status critreg_learner_save(struct critreg_learner *learner,
  * replaying what was told.
  *
  * @param learner A learner that was just made, with the domain, configuration and
- * number of hypotheses of the saved one.
+ * number of forms of the saved one.
  * @param instances The instances of the saved run.
  * @param count How many there are.
  * @param bytes The saved bytes.
  * @param len How many there are.
  * @return CRITREG_CORRUPT for damaged bytes; CRITREG_MISMATCH if they belong to
- * another domain, instances, configuration or number of hypotheses;
+ * another domain, instances, configuration or number of forms;
  * CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_CAPACITY_EXCEEDED
  * if there is no room for all observations: in all these cases nothing is told;
  * CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,

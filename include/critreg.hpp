@@ -265,20 +265,20 @@ struct Query {
 /** A learner with memory of its own. It can be moved. */
 class Learner {
 public:
-    /** The default configuration, to change: learner, iterations, noise, steps, ... */
+    /** The default configuration, to change: learner, calls, noise, steps, ... */
     static critreg_config default_config() {
         critreg_config config;
         detail::check(critreg_config_init(&config, sizeof config));
         return config;
     }
 
-    /** A learner about a domain. A config without hypotheses gets the default number. */
+    /** A learner about a domain. A config without forms gets the default number. */
     explicit Learner(const std::string &domain, critreg_config config = default_config()) {
         std::array<char, 128> why{};
         const critreg_status status =
             critreg_check_domain(domain.c_str(), why.data(), why.size(), nullptr);
         detail::check(status, why.data());
-        if (config.hypotheses == 0) config.hypotheses = CRITREG_DEFAULT_HYPOTHESES;
+        if (config.forms == 0) config.forms = CRITREG_DEFAULT_FORMS;
         // A wrong configuration has no size; then init tells what is wrong.
         const std::size_t bytes = critreg_learner_size(&config);
         memory_.reset(new std::uint64_t[bytes / sizeof(std::uint64_t) + 1]);

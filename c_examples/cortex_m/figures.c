@@ -104,7 +104,7 @@ static critreg_status run(void)
     const critreg_region *region = NULL;
     critreg_status status = critreg_config_init(&config, sizeof config);
     uint64_t i;
-    config.hypotheses = FORMS;
+    config.forms = FORMS;
     config.observations = OBSERVATIONS;
     config.instances = TRAINING;
     for (i = 0; i < TRAINING && status == CRITREG_OK; i++)
@@ -135,7 +135,7 @@ static void print_sizes(void)
     for (i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         static critreg_config config;
         (void)critreg_config_init(&config, sizeof config);
-        config.hypotheses = sizes[i].forms;
+        config.forms = sizes[i].forms;
         config.observations = sizes[i].observations;
         config.tracked = sizes[i].tracked;
         config.instances = TRAINING;

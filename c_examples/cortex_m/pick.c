@@ -46,7 +46,7 @@ static critreg_status learn(uint64_t seed, critreg_learner **learner,
         TRY(critreg_stick_button_task(TRAINING * seed + i, 0, 1, instances[i], NUMBERS));
     TRY(critreg_config_init(&config, sizeof config));
     config.seed = seed;
-    config.hypotheses = FORMS;
+    config.forms = FORMS;
     config.observations = OBSERVATIONS;
     config.instances = TRAINING;
     config.precision = PRECISION;

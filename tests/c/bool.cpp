@@ -18,7 +18,7 @@ static critreg_outcome outcome(const double *instance, const double *theta) {
 
 static critreg::Learner new_learner() {
     critreg_config config = critreg::Learner::default_config();
-    config.iterations = 60;
+    config.calls = 60;
     return critreg::Learner(DOMAIN, config);
 }
 

@@ -72,8 +72,8 @@ static inline critreg_config reach_config(void)
     OK(critreg_config_init(&config, sizeof config));
     config.learner = kind;
     config.seed = 1;
-    config.hypotheses = 1024;
-    config.iterations = 40;
+    config.forms = 1024;
+    config.calls = 40;
     if (kind == CRITREG_ALGORITHM1) {
         config.negative = &too_near;
         config.positive = &near_enough;

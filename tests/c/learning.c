@@ -3,12 +3,12 @@
 
 static uint64_t memory[CRITREG_LEARNER_WORDS_FOR(1024, 512, INSTANCES, 2)];
 
-static critreg_learner *learner_for(uint32_t steps, uint32_t iterations, double noise)
+static critreg_learner *learner_for(uint32_t steps, uint32_t calls, double noise)
 {
     critreg_config config = reach_config();
     critreg_learner *learner = NULL;
     config.steps = steps;
-    config.iterations = iterations;
+    config.calls = calls;
     config.observations = 512;
     config.instances = INSTANCES;
     config.noise = noise;

@@ -120,21 +120,21 @@ static void wrong_configurations(void)
     config.learner = 99;
     EXPECT(CRITREG_INVALID_ARGUMENT, init(DOMAIN, &config));
     config = reach_config();
-    config.hypotheses = 3;
+    config.forms = 3;
     EXPECT(CRITREG_INVALID_ARGUMENT, init(DOMAIN, &config));
-    config.hypotheses = 1000000;
+    config.forms = 1000000;
     EXPECT(CRITREG_TOO_SMALL, init(DOMAIN, &config));
-    config.hypotheses = UINT32_MAX;
+    config.forms = UINT32_MAX;
     EXPECT(CRITREG_TOO_SMALL, init(DOMAIN, &config));
     config.observations = UINT32_MAX;
     EXPECT(too_many, init(DOMAIN, &config));
     config = reach_config();
-    config.hypotheses = 0;
+    config.forms = 0;
     config.observations = UINT32_MAX;
     EXPECT(too_many, init(DOMAIN, &config));
     EXPECT_TRUE((critreg_learner_size(&config) == 0) == (too_many != CRITREG_TOO_SMALL));
     config.observations = 0;
-    config.iterations = UINT32_MAX;
+    config.calls = UINT32_MAX;
     EXPECT(too_many, init(DOMAIN, &config));
 }
 
@@ -212,8 +212,8 @@ static void defaults(void)
 
     OK(critreg_config_init(&config, sizeof config));
     EXPECT_TRUE(config.struct_size == sizeof config && config.learner == CRITREG_VERSION_SPACE);
-    EXPECT_TRUE(config.seed == 0 && config.hypotheses == 0 && config.observations == 0);
-    EXPECT_TRUE(config.iterations == 100 && config.certifying == 10 && config.steps == 1);
+    EXPECT_TRUE(config.seed == 0 && config.forms == 0 && config.observations == 0);
+    EXPECT_TRUE(config.calls == 100 && config.certifying == 10 && config.steps == 1);
     EXPECT_TRUE(config.instances == CRITREG_DEFAULT_INSTANCES);
     EXPECT_TRUE(config.noise == 0.0 && config.exploring == 0.1 && config.slack == 0.05);
     EXPECT_TRUE(config.confidence == 0.95);
@@ -223,22 +223,22 @@ static void defaults(void)
 
 /* The macro is enough and not much more; one byte less than the exact size is not
  * enough. */
-static void size_of_one(uint32_t hypotheses, uint32_t observations, uint32_t instances,
+static void size_of_one(uint32_t forms, uint32_t observations, uint32_t instances,
                         uint32_t steps)
 {
-    size_t bytes = CRITREG_LEARNER_WORDS_FOR(hypotheses, observations, instances, steps)
+    size_t bytes = CRITREG_LEARNER_WORDS_FOR(forms, observations, instances, steps)
                    * sizeof(uint64_t);
     critreg_config config = reach_config();
     uint64_t *own = (uint64_t *)malloc(bytes);
     size_t size;
 
-    config.hypotheses = hypotheses;
+    config.forms = forms;
     config.observations = observations;
     config.instances = instances;
     config.steps = steps;
     size = critreg_learner_size(&config);
     EXPECT_TRUE(size > 0 && size <= bytes && own != NULL);
-    if (kind == CRITREG_VERSION_SPACE && hypotheses < 400000)
+    if (kind == CRITREG_VERSION_SPACE && forms < 400000)
         EXPECT_TRUE(size + 4096 > bytes * 9 / 10);
     EXPECT(CRITREG_TOO_SMALL, critreg_learner_init(own, size - 1, DOMAIN, &config, &learner));
     OK(critreg_learner_init(own, size, DOMAIN, &config, &learner));
@@ -269,7 +269,7 @@ static void sizes(void)
     }
 }
 
-/* Without a number of hypotheses the memory decides, and nothing behind it is
+/* Without a number of forms the memory decides, and nothing behind it is
  * touched. */
 static void capacity_from_memory(void)
 {
@@ -289,10 +289,10 @@ static void capacity_from_memory(void)
     OK(critreg_learner_report(learner, &report));
     EXPECT_TRUE(report.kept >= 4096 || report.left_out == 0);
     EXPECT_TRUE(report.enumerated == report.kept + report.left_out);
-    config.hypotheses = 4096;
+    config.forms = 4096;
     config.observations = 256;
     OK(critreg_learner_init(large, sizeof large, critreg_stick_button_domain(), &config, &learner));
-    config.hypotheses = 0;
+    config.forms = 0;
     for (len = 0; len < sizeof large; len += 9901) {
         critreg_status status;
         int untouched = 1;

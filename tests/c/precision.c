@@ -23,10 +23,10 @@ static critreg_learner *learner_for(uint32_t precision, uint64_t seed)
     critreg_learner *learner = NULL;
     OK(critreg_config_init(&config, sizeof config));
     config.seed = seed;
-    config.hypotheses = 1024;
+    config.forms = 1024;
     config.observations = 128;
     config.instances = TRAINING;
-    config.iterations = CALLS;
+    config.calls = CALLS;
     config.precision = precision;
     EXPECT_TRUE(critreg_learner_size(&config) <= sizeof memory);
     OK(critreg_learner_init(memory, sizeof memory, critreg_stick_button_domain(), &config,

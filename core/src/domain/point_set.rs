@@ -32,8 +32,8 @@ impl PointSet {
         let mut set = PointSet::default();
         for node in nodes {
             domain.quantities(*node, &mut |quantity| {
-                for point in quantity.points().into_iter().flatten() {
-                    set = set.with(domain, point);
+                for point in quantity.points().iter().flatten() {
+                    set = set.with(domain, *point);
                 }
             });
         }

@@ -17,7 +17,7 @@ pub(crate) enum Capacity {
 
 impl Capacity {
     /// Hypotheses of the one, forms of the other.
-    pub(crate) const fn hypotheses(self) -> usize {
+    pub(crate) const fn forms(self) -> usize {
         match self {
             #[cfg(feature = "algorithm1")]
             Capacity::Algorithm1(capacity) => capacity.hypotheses,
@@ -35,12 +35,12 @@ impl Capacity {
         }
     }
 
-    /// The same with another number of hypotheses.
-    pub(crate) const fn with_hypotheses(mut self, hypotheses: usize) -> Capacity {
+    /// The same with another number of forms.
+    pub(crate) const fn with_forms(mut self, forms: usize) -> Capacity {
         match &mut self {
             #[cfg(feature = "algorithm1")]
-            Capacity::Algorithm1(capacity) => capacity.hypotheses = hypotheses,
-            Capacity::VersionSpace(capacity) => capacity.forms = hypotheses,
+            Capacity::Algorithm1(capacity) => capacity.hypotheses = forms,
+            Capacity::VersionSpace(capacity) => capacity.forms = forms,
         }
         self
     }

@@ -24,21 +24,21 @@ use critreg_core::region::Theta;
 pub const CRITREG_ALGORITHM1: u32 = 1;
 
 /// For critreg_config.learner: the sound learner, and the default. It keeps every
-/// explanation of the answers, asks where they disagree, names the thresholds it
+/// hypothesis that agrees with the outcomes, asks where they disagree, names the thresholds it
 /// finds, says what supports each constraint, and certifies the region by draws
-/// from it. Where nothing explains the answers it says CRITREG_NO_REGION.
+/// from it. Where none explains the outcomes it says CRITREG_NO_REGION.
 pub const CRITREG_VERSION_SPACE: u32 = 2;
 
 /// Observations a learner has room for unless the configuration tells: this many,
-/// or iterations + 2 if that is more.
+/// or calls + 2 if that is more.
 pub const CRITREG_DEFAULT_OBSERVATIONS: u32 = 256;
 
-/// Hypotheses that critreg_learner_size() makes room for unless the configuration
+/// Forms that critreg_learner_size() makes room for unless the configuration
 /// tells.
-pub const CRITREG_DEFAULT_HYPOTHESES: u32 = 4096;
+pub const CRITREG_DEFAULT_FORMS: u32 = 4096;
 
-/// Most hypotheses that a learner takes without being told how many.
-pub const CRITREG_MAX_DEFAULT_HYPOTHESES: u32 = 1 << 24;
+/// Most forms that a learner takes without being told how many.
+pub const CRITREG_MAX_DEFAULT_FORMS: u32 = 1 << 24;
 
 /// Problem instances a learner has room for unless the configuration tells.
 pub const CRITREG_DEFAULT_INSTANCES: u32 = 16;
@@ -52,8 +52,8 @@ pub const CRITREG_MAX_OBSERVATIONS: u32 = 2048;
 
 const _: () = assert!(version_space::MAX_OBSERVATIONS <= CRITREG_MAX_OBSERVATIONS as usize);
 
-/// Fewest hypotheses that make a learner: the four comparisons of one pair.
-pub(crate) const FEWEST_HYPOTHESES: usize = 4;
+/// Fewest forms that make a learner: the four comparisons of one pair.
+pub(crate) const FEWEST_FORMS: usize = 4;
 
 /// What a learner does. Fill it with critreg_config_init() and change what you
 /// like. Nothing in it is kept after critreg_learner_init() returns, except the
@@ -68,22 +68,23 @@ pub struct critreg_config {
     /// Which learner: CRITREG_VERSION_SPACE, the default, or CRITREG_ALGORITHM1.
     pub learner: u32,
     /// Seed of all random choices. Default 0. The same seed, domain, instances,
-    /// capacities and answers give the same region on every machine.
+    /// capacities and outcomes give the same region on every machine.
     pub seed: u64,
-    /// Hypotheses to have room for, at least 4: the forms of
-    /// CRITREG_VERSION_SPACE, the comparisons of CRITREG_ALGORITHM1. More reach
-    /// more complex constraints and take more time per sample. Default 0: what the
-    /// memory has room for.
-    pub hypotheses: u32,
+    /// Forms to have room for, at least 4: the differences of two features that
+    /// CRITREG_VERSION_SPACE bounds, or the comparisons of two features that are the
+    /// hypotheses of CRITREG_ALGORITHM1. More reach more complex constraints and take
+    /// more time per sample. Default 0: what the memory has room for.
+    pub forms: u32,
     /// Samples to have room for. When they are used up, telling returns
     /// CRITREG_CAPACITY_EXCEEDED. CRITREG_VERSION_SPACE takes at most
     /// CRITREG_MAX_OBSERVATIONS. Default 0: CRITREG_DEFAULT_OBSERVATIONS, or
-    /// iterations + 2 if that is more.
+    /// calls + 2 if that is more.
     pub observations: u32,
-    /// Answers that CRITREG_VERSION_SPACE asks for in all; samples that
-    /// CRITREG_ALGORITHM1 draws itself (K of the thesis). Default 100.
-    pub iterations: u32,
-    /// CRITREG_VERSION_SPACE: how many of these answers, the last ones, are about
+    /// Outcomes that CRITREG_VERSION_SPACE asks for in all; samples that
+    /// CRITREG_ALGORITHM1 draws itself (K of the thesis), beside its manual ones.
+    /// Default 100.
+    pub calls: u32,
+    /// CRITREG_VERSION_SPACE: how many of these calls, the last ones, are about
     /// draws from the region, to certify it. Default 10.
     pub certifying: u32,
     /// CRITREG_VERSION_SPACE: problem instances to have room for, at least 1.
@@ -93,11 +94,11 @@ pub struct critreg_config {
     /// CRITREG_VERSION_SPACE: steps of the sequence of actions that is learned
     /// about, from 1 to CRITREG_MAX_STEPS; see critreg_outcome. Default 1.
     pub steps: u32,
-    /// CRITREG_VERSION_SPACE: share of the answers that is wrong, from 0 to 0.2. If
-    /// it is not 0, samples are asked again until the answer is beyond doubt:
-    /// noise costs answers. Default 0.
+    /// CRITREG_VERSION_SPACE: share of the outcomes that is wrong, from 0 to 0.2. If
+    /// it is not 0, samples are asked again until the outcome is beyond doubt:
+    /// noise costs calls. Default 0.
     pub noise: f64,
-    /// CRITREG_VERSION_SPACE: share of the questions that look for what nothing
+    /// CRITREG_VERSION_SPACE: share of the queries that look for what nothing
     /// hints at, from 0 to 1. Default 0.1.
     pub exploring: f64,
     /// CRITREG_VERSION_SPACE: how far the boundary of a constraint may lie elsewhere
@@ -120,7 +121,7 @@ pub struct critreg_config {
     /// Passed to the progress callback. Default NULL.
     pub progress_data: *mut c_void,
     /// CRITREG_VERSION_SPACE: of how many forms, the simplest ones, it is tracked what
-    /// the answers say about them. That of the others is computed whenever it is
+    /// the outcomes say about them. That of the others is computed whenever it is
     /// needed: the region is the same, for less memory and more time. Default
     /// UINT32_MAX: of all.
     pub tracked: u32,
@@ -140,9 +141,9 @@ fn defaults() -> critreg_config {
         struct_size: size_of::<critreg_config>() as u32,
         learner: CRITREG_VERSION_SPACE,
         seed: settings.seed,
-        hypotheses: 0,
+        forms: 0,
         observations: 0,
-        iterations: settings.calls,
+        calls: settings.calls,
         certifying: settings.certifying,
         instances: CRITREG_DEFAULT_INSTANCES,
         steps: 1,
@@ -188,20 +189,20 @@ impl critreg_config {
         Precision::new(self.precision)
     }
 
-    /// The capacities it asks for; no hypotheses means as many as there is room.
+    /// The capacities it asks for; no forms means as many as there is room.
     pub(crate) fn capacity(&self) -> Fallible<Capacity> {
-        let enough = self.iterations.saturating_add(2);
+        let enough = self.calls.saturating_add(2);
         let observations = match self.observations {
             0 => enough.max(CRITREG_DEFAULT_OBSERVATIONS),
             told => told,
         };
-        if (1..FEWEST_HYPOTHESES).contains(&(self.hypotheses as usize)) {
-            return Err(Failure::invalid("a learner needs at least four hypotheses"));
+        if (1..FEWEST_FORMS).contains(&(self.forms as usize)) {
+            return Err(Failure::invalid("a learner needs at least four forms"));
         }
         #[cfg(feature = "algorithm1")]
         if self.learner == CRITREG_ALGORITHM1 {
             return Ok(Capacity::Algorithm1(algorithm1::Capacity {
-                hypotheses: self.hypotheses as usize,
+                hypotheses: self.forms as usize,
                 observations: observations as usize,
             }));
         }
@@ -217,7 +218,7 @@ impl critreg_config {
             ));
         }
         Ok(Capacity::VersionSpace(version_space::Capacity {
-            forms: self.hypotheses as usize,
+            forms: self.forms as usize,
             tracked: self.tracked as usize,
             observations: observations as usize,
             instances: self.instances as usize,
@@ -241,7 +242,7 @@ impl critreg_config {
         };
         Ok(algorithm1::Config {
             seed: self.seed,
-            iterations: self.iterations,
+            iterations: self.calls,
             negative,
             positive,
         })
@@ -255,7 +256,7 @@ impl critreg_config {
         }
         Ok(version_space::Config {
             seed: self.seed,
-            calls: self.iterations,
+            calls: self.calls,
             certifying: self.certifying,
             exploring: self.exploring,
             noise: self.noise,

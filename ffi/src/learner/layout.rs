@@ -46,7 +46,7 @@ impl LearnerLayout {
         })
     }
 
-    /// The capacity with the most hypotheses, up to a number, for which there is
+    /// The capacity with the most forms, up to a number, for which there is
     /// room in so many bytes.
     pub(crate) fn largest(
         bytes: usize,
@@ -54,8 +54,8 @@ impl LearnerLayout {
         precision: Precision,
         most: usize,
     ) -> Capacity {
-        let fits = |hypotheses| {
-            let layout = LearnerLayout::new(capacity.with_hypotheses(hypotheses), precision);
+        let fits = |forms| {
+            let layout = LearnerLayout::new(capacity.with_forms(forms), precision);
             layout.is_some_and(|layout| layout.size <= bytes)
         };
         let (mut enough, mut too_many) = (0, most.saturating_add(1));
@@ -67,7 +67,7 @@ impl LearnerLayout {
                 too_many = middle;
             }
         }
-        capacity.with_hypotheses(enough)
+        capacity.with_forms(enough)
     }
 
     /// Makes a learner about a domain.

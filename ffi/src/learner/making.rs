@@ -6,8 +6,7 @@ use crate::boundary::memory::ALIGNMENT;
 use crate::boundary::pointer::{self, Output};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::learner::config::{
-    self, CRITREG_DEFAULT_HYPOTHESES, CRITREG_MAX_DEFAULT_HYPOTHESES, FEWEST_HYPOTHESES,
-    critreg_config,
+    self, CRITREG_DEFAULT_FORMS, CRITREG_MAX_DEFAULT_FORMS, FEWEST_FORMS, critreg_config,
 };
 use crate::learner::handle::{Inner, critreg_learner};
 use crate::learner::layout::LearnerLayout;
@@ -20,8 +19,8 @@ use critreg_core::domain::Domain;
 /// array instead.
 ///
 /// @param config What the learner is to do, with its capacities; NULL for the
-/// defaults. Where it leaves the number of hypotheses open it is
-/// CRITREG_DEFAULT_HYPOTHESES.
+/// defaults. Where it leaves the number of forms open it is
+/// CRITREG_DEFAULT_FORMS.
 /// @return The number of bytes; 0 if the configuration is wrong or memory cannot
 /// be that large.
 #[unsafe(no_mangle)]
@@ -29,8 +28,8 @@ pub unsafe extern "C" fn critreg_learner_size(config: *const critreg_config) -> 
     // SAFETY: the header makes it the caller's promise.
     let layout = unsafe { config::read(config) }.and_then(|config| {
         let mut capacity = config.capacity()?;
-        if capacity.hypotheses() == 0 {
-            capacity = capacity.with_hypotheses(CRITREG_DEFAULT_HYPOTHESES as usize);
+        if capacity.forms() == 0 {
+            capacity = capacity.with_forms(CRITREG_DEFAULT_FORMS as usize);
         }
         Ok(LearnerLayout::new(capacity, config.precision()?))
     });
@@ -47,11 +46,11 @@ pub extern "C" fn critreg_learner_align() -> usize {
 /// Makes a learner in memory of the program.
 ///
 /// The capacities come from the configuration. Where it leaves the number of
-/// hypotheses open, the learner takes as many as the memory has room for beside
+/// forms open, the learner takes as many as the memory has room for beside
 /// the observations, so that CRITREG_LEARNER_WORDS(4096, 256) words and a config
-/// of NULL make room for at least 4096 hypotheses and 256 samples. What is
-/// learned depends on the number of hypotheses; where the same result is wanted
-/// from memory of another size, set config.hypotheses.
+/// of NULL make room for at least 4096 forms and 256 samples. What is
+/// learned depends on the number of forms; where the same result is wanted
+/// from memory of another size, set config.forms.
 ///
 /// A learner needs no end: reuse its memory when you are done with it. What the
 /// memory held before does not matter.
@@ -102,12 +101,12 @@ unsafe fn init(
     };
     let precision = config.precision()?;
     let mut capacity = config.capacity()?;
-    if capacity.hypotheses() == 0 {
-        let most = CRITREG_MAX_DEFAULT_HYPOTHESES as usize;
+    if capacity.forms() == 0 {
+        let most = CRITREG_MAX_DEFAULT_FORMS as usize;
         capacity = LearnerLayout::largest(memory_len, capacity, precision, most);
     }
     let layout = LearnerLayout::new(capacity, precision)
-        .filter(|layout| layout.size <= memory_len && capacity.hypotheses() >= FEWEST_HYPOTHESES)
+        .filter(|layout| layout.size <= memory_len && capacity.forms() >= FEWEST_FORMS)
         .ok_or(Failure::TooSmall("the memory of the learner"))?;
     // SAFETY: the memory was checked for NULL, alignment and length; the caller
     // lends it to this learner alone, and the parts of a layout do not overlap.

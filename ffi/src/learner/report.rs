@@ -12,7 +12,7 @@ pub const CRITREG_NOT_RUN: u64 = u64::MAX;
 
 /// How learning went so far.
 ///
-/// CRITREG_VERSION_SPACE counts forms as hypotheses, from the first question on;
+/// CRITREG_VERSION_SPACE counts forms, from the first query on;
 /// it deletes none. CRITREG_ALGORITHM1 counts every comparison of two features on
 /// its own; it ignores no samples and has no certificate, so these are 0.
 #[repr(C)]
@@ -36,9 +36,9 @@ pub struct critreg_report {
     pub after_positive: u64,
     /// Hypotheses left now.
     pub remaining: u64,
-    /// Answers told: calls of the simulator.
+    /// Outcomes told: calls of the simulator.
     pub calls: u64,
-    /// Samples that were feasible. With noise a sample takes several answers, so
+    /// Samples that were feasible. With noise a sample takes several calls, so
     /// that feasible and infeasible ones are fewer than the calls.
     pub feasible: u64,
     /// Samples that were infeasible.

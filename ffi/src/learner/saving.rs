@@ -45,13 +45,13 @@ pub unsafe extern "C" fn critreg_learner_save(
 /// replaying what was told.
 ///
 /// @param learner A learner that was just made, with the domain, configuration and
-/// number of hypotheses of the saved one.
+/// number of forms of the saved one.
 /// @param instances The instances of the saved run.
 /// @param count How many there are.
 /// @param bytes The saved bytes.
 /// @param len How many there are.
 /// @return CRITREG_CORRUPT for damaged bytes; CRITREG_MISMATCH if they belong to
-/// another domain, instances, configuration or number of hypotheses;
+/// another domain, instances, configuration or number of forms;
 /// CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_CAPACITY_EXCEEDED
 /// if there is no room for all observations: in all these cases nothing is told;
 /// CRITREG_INVALID_ARGUMENT, CRITREG_NOT_FINITE, CRITREG_BUSY,

@@ -178,7 +178,7 @@ fn the_table_of_memory_is_true() {
         CRITREG_ALGORITHM1, CRITREG_VERSION_SPACE, critreg_config_init,
     };
     use critreg_ffi::learner::making::critreg_learner_size;
-    let size = |learner: u32, hypotheses: usize, observations: usize| {
+    let size = |learner: u32, forms: usize, observations: usize| {
         let mut config = std::mem::MaybeUninit::uninit();
         // SAFETY: the pointer is to a variable of the size told, which is
         // initialised when it succeeds.
@@ -188,13 +188,13 @@ fn the_table_of_memory_is_true() {
             config.assume_init()
         };
         config.learner = learner;
-        config.hypotheses = hypotheses as u32;
+        config.forms = forms as u32;
         config.observations = observations as u32;
         // SAFETY: it is a configuration.
         unsafe { critreg_learner_size(&config) }
     };
     let header = generated();
-    let (_, table) = header.split_once("hypotheses  observations").unwrap();
+    let (_, table) = header.split_once("forms  observations").unwrap();
     let rows = table.lines().skip(1).map_while(|line| {
         let words = line.split_whitespace();
         let numbers: Vec<usize> = words.filter_map(|word| word.parse().ok()).collect();
@@ -202,9 +202,9 @@ fn the_table_of_memory_is_true() {
     });
     let rows: Vec<_> = rows.collect();
     assert_eq!(rows.len(), 4);
-    for [hypotheses, observations, sound, thesis] in rows {
+    for [forms, observations, sound, thesis] in rows {
         let is = [CRITREG_VERSION_SPACE, CRITREG_ALGORITHM1]
-            .map(|learner| size(learner, hypotheses, observations));
-        assert_eq!([sound, thesis], is, "{hypotheses}, {observations}");
+            .map(|learner| size(learner, forms, observations));
+        assert_eq!([sound, thesis], is, "{forms}, {observations}");
     }
 }

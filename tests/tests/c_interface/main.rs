@@ -2,6 +2,7 @@
 
 mod abi;
 mod examples;
+mod field;
 mod pictures;
 mod readme;
 mod support;

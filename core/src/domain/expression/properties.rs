@@ -51,9 +51,13 @@ impl Domain<'_> {
             }
             Ok(Node::Parameter(_)) => Dependence::Sample,
             Ok(Node::Quantity(quantity) | Node::Extreme(_, quantity)) => {
-                let mut points = quantity.points().into_iter().flatten();
-                let sampled = |i| self.points().get(usize::from(i)).is_some_and(|p| p.sampled);
-                match points.any(sampled) {
+                let points = quantity.points();
+                let sampled = |i: &u8| {
+                    self.points()
+                        .get(usize::from(*i))
+                        .is_some_and(|p| p.sampled)
+                };
+                match points.iter().flatten().any(sampled) {
                     true => Dependence::Sample,
                     false => Dependence::Instance,
                 }

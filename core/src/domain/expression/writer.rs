@@ -94,9 +94,9 @@ impl Domain<'_> {
             Quantity::Distance(..) | Quantity::Angle(..) | Quantity::VertexAngle(..) => {
                 out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;
                 let mut before = "(";
-                for point in quantity.points().into_iter().flatten() {
+                for point in quantity.points().iter().flatten() {
                     out.write_str(before)?;
-                    self.write_point(out, point)?;
+                    self.write_point(out, *point)?;
                     before = ", ";
                 }
                 out.write_char(')')
