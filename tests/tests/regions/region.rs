@@ -7,6 +7,7 @@ use critreg::random::generator;
 use critreg::region::{Intersection, Part, Region, SavedRegion};
 use critreg_tests::{arm, pick, text};
 use proptest::prelude::*;
+use std::f64::consts::PI;
 
 /// The text of a length over the pick domain.
 fn length() -> impl Strategy<Value = String> {
@@ -324,8 +325,8 @@ fn draws_in_single_precision_stay_within_their_ranges() {
     for text in texts {
         let domain = Domain::parse(&text).unwrap();
         for (text, angle) in [
-            ("yaw >= mark.angle", 3.1415926),
-            ("yaw <= mark.angle", -3.1415926),
+            ("yaw >= mark.angle", PI - 6e-8),
+            ("yaw <= mark.angle", 6e-8 - PI),
         ] {
             let region = Region::parse(&domain, text).unwrap();
             let part = Part {
