@@ -47,7 +47,7 @@
  * Every further instance takes forms + 512 bytes more, every further step
  * 16 * forms + 5632 at most. On a small machine critreg_config.precision and
  * critreg_config.tracked save most of it: 1024 forms, 128 observations and 4
- * instances take 48552 bytes with CRITREG_F32, nothing tracked and pointers of 32
+ * instances take 48608 bytes with CRITREG_F32, nothing tracked and pointers of 32
  * bits, in a library without CRITREG_ALGORITHM1. The macros of
  * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
  *
@@ -188,8 +188,12 @@
  *     dimension = "length" | "angle" | "area" | "flag" | "none" ;
  *     constant  = "constant" path "=" expr ":" dimension ;
  *     parameter = "parameter" name "in" "[" expr "," expr "]" [ ":" dimension ] ;
- *     shape     = "shape" name "=" ( "circle" "(" expr ")"
- *                   | "rectangle" "(" expr "," expr ")" [ "centred" ] ) ;
+ *     shape     = "shape" path "=" solid [ "rounded" factor ] [ "centred" ] ;
+ *     solid     = "circle" "(" expr ")"           (* a ball in space *)
+ *               | "rectangle" "(" expr "," expr ")"         (* a plate in space *)
+ *               | "box" "(" expr "," expr "," expr ")"
+ *               | "capsule" "(" expr "," expr ")" (* length along x, radius *)
+ *               | "segment" "(" expr ")" ;        (* along x *)
  *     point     = "point" path "=" frame [ "turned" turn ] [ "+" offset ] ;
  *     frame     = "world" | path ;                (* object or earlier point *)
  *     turn      = factor                          (* yaw *)
@@ -202,16 +206,43 @@
  *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" )
  *                   "(" path "," path ")"
  *               | "angle" "(" path "," path "," path ")"    (* at the second point *)
+ *               | relation "(" path "," path ")"  (* between their bodies *)
  *               | "area" "(" name ")" ;
+ *     relation  = "clear" | "inside" | "inside_x" | "inside_y" | "inside_z" | "over"
+ *               | "corner" | "x_in" | "y_in" | "z_in" | "abs_x_in" | "abs_y_in" | "abs_z_in" ;
  *     path      = name { "." name } ;
  *     name      = ( letter | "_" ) { letter | digit | "_" } ;
  *
  * An object with the attributes x and y (and z, theta or yaw, pitch, roll) is a
  * point as well. An offset is along the axes of the frame, after the turn. The
- * corner of a rectangle is its object's position unless it is centred; a shape
- * adds the points left, right, bottom, top and, for rectangles, centre. Offsets,
- * turns and sizes are made of numbers, constants, attributes and parameters. Only
- * quantities of one dimension are added and compared.
+ * corner of a rectangle is its object's position unless it is centred; a circle or a
+ * rectangle of constant sizes on an object adds the points left, right, bottom, top and,
+ * for rectangles, centre. Offsets, turns and sizes are made of numbers, constants,
+ * attributes and parameters. Only quantities of one dimension are added and compared.
+ *
+ * BODIES
+ *
+ * A shape makes a body of an object or a point, also of one that moves with parameters,
+ * and one of each member of a group, with the member's own sizes. So an action is described
+ * by what is there, and no point has to carry the answer:
+ *
+ *     shape tray  = rectangle(tray.width, tray.depth) centred
+ *     shape place = rectangle(item.width, item.depth) centred
+ *     shape can   = circle(can.radius)
+ *
+ * Its regions then read inside(place, tray) >= 0 and min(clear(place, can)) >= 0. All
+ * relations are lengths, of the first body to the second one, in 2D and in 3D:
+ *
+ *     clear      how far they are apart; below zero, how deep they meet
+ *     inside     how much room is left around the first one in the second one;
+ *                inside_x, inside_y, inside_z: along one axis of the second one
+ *     over       how far the first one's centre is inside of what the second one covers
+ *     corner     how far the nearest corner of the first one is from the second one
+ *     x_in, ...  where the first one's centre is in the frame of the second one;
+ *                abs_x_in, ...: the magnitude of that
+ *
+ * A point without a shape is a body without extent. A size below zero is that of an absent
+ * body, of which no constraint holds; an absent member of a group is passed over.
  *
  * A group, as in "object obstacle[6]: block", is any number of objects of one type,
  * up to six. An instance has the numbers of all six; each number of a member that
@@ -465,13 +496,13 @@
  * Bytes of a learner that do not depend on its capacity, on a machine with
  * pointers of 32 bits; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_LEARNER_FIXED_BYTES 18432
+#define CRITREG_LEARNER_FIXED_BYTES 18944
 
 /**
  * Bytes of a region, on a machine with pointers of 32 bits; for
  * CRITREG_REGION_WORDS.
  */
-#define CRITREG_REGION_FIXED_BYTES 12032
+#define CRITREG_REGION_FIXED_BYTES 12544
 
 /**
  * Pointers in a handle, which take more room on a machine with longer ones; for

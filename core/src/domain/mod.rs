@@ -41,10 +41,41 @@
 //!
 //! An object whose type has the attributes `x` and `y` (and `z`, `theta` or
 //! `yaw`, `pitch`, `roll`) is a point as well. The corner of a `rectangle` is the
-//! object's position unless it is `centred`; a shape adds the key points `left`,
-//! `right`, `bottom`, `top` and, for rectangles, `centre` (thesis 4.2).
+//! object's position unless it is `centred`; a circle or a rectangle of constant sizes on an
+//! object adds the key points `left`, `right`, `bottom`, `top` and, for rectangles, `centre`
+//! (thesis 4.2).
 //! Offsets, turns and sizes are made of numbers, constants, attributes and
 //! parameters; a point that depends on a parameter is a sample point.
+//!
+//! # Bodies
+//!
+//! A shape makes a body of an object or of a point, also of one that moves with parameters,
+//! and one of each member of a group, with sizes of its own. Relations between two bodies
+//! ([`Relation`](crate::geometry::Relation)) are lengths that are the same in every frame:
+//!
+//! ```
+//! use critreg::{domain::Domain, region::Region};
+//! let domain = Domain::parse(
+//!     "object tray { x: length, y: length, theta: angle, width: length, depth: length }
+//!      object item { width: length, depth: length }
+//!      parameter px in [-0.5, 0.5]: length
+//!      parameter py in [-0.5, 0.5]: length
+//!      parameter yaw in [-0.5*pi, 0.5*pi]: angle
+//!      point spot = world + (px, py)
+//!      point place = spot turned yaw
+//!      shape tray  = rectangle(tray.width, tray.depth) centred
+//!      shape place = rectangle(item.width, item.depth) centred",
+//! )?;
+//! let region = Region::parse(&domain, "inside(place, tray) >= 0")?;
+//! // A tray that is turned by a quarter, and an item that fits with 5 cm on each side.
+//! let instance = [0.0, 0.0, core::f64::consts::FRAC_PI_2, 0.4, 0.3, 0.3, 0.2];
+//! let fits = |theta: [f64; 3]| region.contains::<f64>(&domain, &instance, &theta);
+//! assert!(fits([0.04, 0.0, 1.57])? && !fits([0.06, 0.0, 1.57])? && !fits([0.0, 0.0, 0.0])?);
+//! # Ok::<(), critreg::Error>(())
+//! ```
+//!
+//! A point without a shape is a body without extent. A size below zero is that of an absent
+//! body, of which no constraint holds.
 //!
 //! # Groups
 //!

@@ -250,6 +250,10 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
 
     #[inline(never)]
     fn relation(&self, relation: Relation, points: [u8; 2]) -> A::Measure {
+        // No text has a relation then, and what computes it is left out.
+        if !cfg!(feature = "bodies") {
+            return A::Measure::unknown();
+        }
         match self.bodies(relation, points) {
             Some((pair, difference, slack)) => A::relation(&pair, difference, slack),
             None => A::Measure::unknown(),
@@ -417,6 +421,9 @@ impl<R: Real> Sample<'_, '_, R, Line<R>> {
         let Quantity::Relation(relation, a, b) = quantity else {
             return self.leaf(Node::Quantity(quantity));
         };
+        if !cfg!(feature = "bodies") {
+            return Curve::unknown();
+        }
         match self.bodies(relation, [a, b]) {
             Some((pair, difference, _)) => {
                 let piece = pair.piece(index, difference);
@@ -430,6 +437,9 @@ impl<R: Real> Sample<'_, '_, R, Line<R>> {
         let Quantity::Relation(relation, a, b) = quantity else {
             return 1;
         };
+        if !cfg!(feature = "bodies") {
+            return 1;
+        }
         let bodies = self.bodies(relation, [a, b]);
         bodies.map_or(1, |(pair, ..)| pair.piece_count())
     }

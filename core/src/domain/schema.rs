@@ -24,8 +24,8 @@ pub const MAX_PARAMETERS: usize = 6;
 pub const MAX_POINTS: usize = 64;
 /// Most shapes.
 pub const MAX_SHAPES: usize = 16;
-/// Most bodies, those of every member of a group counted.
-pub const MAX_BODIES: usize = 24;
+/// Most bodies, those of every member of a group counted; none without the feature `bodies`.
+pub const MAX_BODIES: usize = if cfg!(feature = "bodies") { 24 } else { 0 };
 /// Most terms in the offsets, turns and sizes of all points and shapes together.
 pub const MAX_DOMAIN_NODES: usize = 128;
 

@@ -33,8 +33,18 @@ impl<'t> DomainParser<'_, 't> {
         self.own = self.member_of_point(point).map(|member| member.group);
         let solid = self.solid()?;
         self.own = None;
-        self.key_shape(name, &solid)?;
-        self.bodies(point, solid)
+        let outlined = self.key_shape(name, &solid)?;
+        if cfg!(feature = "bodies") {
+            return self.bodies(point, solid);
+        }
+        match outlined {
+            true => Ok(()),
+            false => Err(self.lexer.fail_at(
+                at,
+                "this library was built without bodies: only objects have shapes, circles and \
+                 rectangles of constant sizes",
+            )),
+        }
     }
 
     /// Reads a solid.
@@ -117,10 +127,10 @@ impl<'t> DomainParser<'_, 't> {
     }
 
     /// Gives an object with a circle or a rectangle of constant sizes its key points and
-    /// its area (thesis 4.2).
-    fn key_shape(&mut self, name: &'t str, solid: &Solid) -> Result<(), Failed> {
+    /// its area (thesis 4.2). Tells whether it is one.
+    fn key_shape(&mut self, name: &'t str, solid: &Solid) -> Result<bool, Failed> {
         let Some(object) = self.domain.find_object(name) else {
-            return Ok(());
+            return Ok(false);
         };
         let known =
             |id: &NodeId| self.domain.dependence(&self.domain.nodes, *id) == Dependence::Constant;
@@ -144,13 +154,14 @@ impl<'t> DomainParser<'_, 't> {
                 };
                 (Shape::Rectangle { width, height }, extents)
             }
-            _ => return Ok(()),
+            _ => return Ok(false),
         };
         self.key_points(name, object, extents)?;
         self.domain
             .shapes
             .push((object, shape))
-            .map_err(|_| self.lexer.full("shapes of a domain"))
+            .map_err(|_| self.lexer.full("shapes of a domain"))?;
+        Ok(true)
     }
 
     /// The points in the middle of the sides of a shape, and its centre where

@@ -80,7 +80,13 @@ pub(in crate::domain) fn is_reserved(name: &str) -> bool {
 
 /// The function of this name.
 pub(super) fn function(name: &str) -> Option<Function> {
-    meaning(FUNCTIONS, name)
+    meaning(FUNCTIONS, name).filter(|function| {
+        let between_bodies = matches!(
+            function,
+            Function::OfPoints(Some(Quantity::Relation(..)), _)
+        );
+        cfg!(feature = "bodies") || !between_bodies
+    })
 }
 
 /// The extreme of this name.
