@@ -68,7 +68,7 @@
 //! )?;
 //! let region = Region::parse(&domain, "inside(place, tray) >= 0")?;
 //! // A tray that is turned by a quarter, and an item that fits with 5 cm on each side.
-//! let instance = [0.0, 0.0, core::f64::consts::FRAC_PI_2, 0.4, 0.3, 0.3, 0.2];
+//! let instance = [0.0, 0.0, core::f64::consts::FRAC_PI_2, 0.4, 0.25, 0.3, 0.15];
 //! let fits = |theta: [f64; 3]| region.contains::<f64>(&domain, &instance, &theta);
 //! assert!(fits([0.04, 0.0, 1.57])? && !fits([0.06, 0.0, 1.57])? && !fits([0.0, 0.0, 0.0])?);
 //! # Ok::<(), critreg::Error>(())

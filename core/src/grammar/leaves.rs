@@ -211,6 +211,7 @@ mod tests {
     const DOMAINS: [&str; 2] = [
         "object a { x: length, y: length, z: length, theta: angle }
          object b { x: length, y: length, z: length, theta: angle } shape b = circle(1)
+         shape a = rectangle(1, 2) centred
          object c[2] { x: length, y: length, z: length, theta: angle }
          parameter p in [0, 1]: length point q = a turned 1 + (p, 0)",
         "object a { x: length, y: length } object c[2] { x: length, y: length }
