@@ -14,6 +14,11 @@ pub struct BodyPair<R> {
 }
 
 impl<R: Real> BodyPair<R> {
+    /// Whether one of them is not there: a size of it is below zero.
+    pub(super) fn is_absent(&self) -> bool {
+        self.first.is_absent() || self.second.is_absent()
+    }
+
     /// The relation where the first one's centre is this far from the second one's.
     pub(super) fn value(&self, difference: [R; 3]) -> R {
         let mut first = self.first.clone();

@@ -22,6 +22,17 @@ struct Placed<R, A> {
     slack: R,
 }
 
+/// A body where it stands in a sample.
+struct Standing<R, A> {
+    /// About its centre.
+    body: Body<R>,
+    centre: [A; 3],
+    /// By how much its sizes may be others.
+    slack: R,
+    /// By how much it may be turned further, as an angle.
+    turn: R,
+}
+
 /// A scene at one sample: the sample points have their places.
 #[derive(Clone, Debug)]
 pub struct Sample<'s, 'a, R, A> {
@@ -125,7 +136,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     fn extreme(&self, extreme: Extreme, quantity: Quantity) -> A::Measure {
         let members = self.scene.of_members(quantity);
         members
-            .map(|own| self.leaf(Node::Quantity(own)))
+            .filter_map(|own| self.of_member(own))
             .reduce(|a, b| a.extreme(extreme, b))
             .unwrap_or_else(|| A::Measure::constant(extreme.of_nothing()))
     }
@@ -248,6 +259,20 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         Some((self.rotation(&placed)?.heading(), placed.slack))
     }
 
+    /// The value of a quantity for one member; `None` if it is about a body that is absent.
+    fn of_member(&self, own: Quantity) -> Option<A::Measure> {
+        match own {
+            Quantity::Relation(relation, a, b) if cfg!(feature = "bodies") => {
+                match self.bodies(relation, [a, b]) {
+                    Some((pair, ..)) if pair.is_absent() => None,
+                    Some((pair, difference, slack)) => Some(A::relation(&pair, difference, slack)),
+                    None => Some(A::Measure::unknown()),
+                }
+            }
+            _ => Some(self.leaf(Node::Quantity(own))),
+        }
+    }
+
     #[inline(never)]
     fn relation(&self, relation: Relation, points: [u8; 2]) -> A::Measure {
         // No text has a relation then, and what computes it is left out.
@@ -262,21 +287,31 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
 
     /// The bodies of two points, how far their centres are apart, and by how much what is
     /// not known of how they are turned and how large they are can change a relation.
-    fn bodies(&self, relation: Relation, points: [u8; 2]) -> Option<(BodyPair<R>, [A; 3], R)> {
-        let [(first, [ax, ay, az], slack), (second, [bx, by, bz], other)] =
-            [self.body(points[0])?, self.body(points[1])?];
+    fn bodies(&self, relation: Relation, [a, b]: [u8; 2]) -> Option<(BodyPair<R>, [A; 3], R)> {
+        let (a, b) = (self.body(a)?, self.body(b)?);
+        let ([ax, ay, az], [bx, by, bz]) = (a.centre, b.centre);
+        let difference = [ax.minus(bx), ay.minus(by), az.minus(bz)];
+        let mut slack = a.slack + b.slack + chord(a.turn) * R::norm(a.body.half_sizes);
+        if b.turn > R::ZERO {
+            // Seen from the second body, the corners of the first one turn about its centre.
+            let apart = difference.map(|own| {
+                let own = own.about();
+                own.map_or(R::INFINITY, |(middle, unknown)| middle.abs() + unknown)
+            });
+            let reach = R::norm(a.body.half_sizes) + R::norm(b.body.half_sizes);
+            slack += chord(b.turn) * (R::norm(apart) + reach);
+        }
         let pair = BodyPair {
             relation,
-            first,
-            second,
+            first: a.body,
+            second: b.body,
             dimensions: self.scene.dimensions,
         };
-        let difference = [ax.minus(bx), ay.minus(by), az.minus(bz)];
-        Some((pair, difference, slack + other))
+        Some((pair, difference, slack))
     }
 
     /// The body of a point about its centre, and where that is.
-    fn body(&self, point: u8) -> Option<(Body<R>, [A; 3], R)> {
+    fn body(&self, point: u8) -> Option<Standing<R, A>> {
         let placed = self.base(point);
         let solid = self.scene.domain.body_of(point);
         let solid = solid.map_or_else(Solid::default, |body| body.solid);
@@ -298,14 +333,16 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
                 }
             }
         }
-        if placed.slack > R::ZERO {
+        if placed.slack > R::ZERO && !solid.centred {
             let by = chord(placed.slack) * R::norm(halves);
-            slack += by;
-            if !solid.centred {
-                centre = centre.map(|own| own.widened(by));
-            }
+            centre = centre.map(|own| own.widened(by));
         }
-        Some((Body::new([R::ZERO; 3], axes, halves, radius), centre, slack))
+        Some(Standing {
+            body: Body::new([R::ZERO; 3], axes, halves, radius),
+            centre,
+            slack,
+            turn: placed.slack,
+        })
     }
 
     /// Turns and moves a sample point in the frame it is placed in.
@@ -425,6 +462,7 @@ impl<R: Real> Sample<'_, '_, R, Line<R>> {
             return Curve::unknown();
         }
         match self.bodies(relation, [a, b]) {
+            Some((pair, ..)) if pair.is_absent() => Curve::constant(R::INFINITY),
             Some((pair, difference, _)) => {
                 let piece = pair.piece(index, difference);
                 piece.unwrap_or_else(|| Curve::constant(R::INFINITY))

@@ -1,5 +1,6 @@
 //! Domains, terms and regions: their text, membership, intervals and draws.
 
+mod bodies;
 mod groups;
 mod intersection;
 mod region;
