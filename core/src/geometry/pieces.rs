@@ -311,9 +311,9 @@ impl<R: Real> Distances<R> {
 
 /// Sides, corners.
 fn of_outline<R: Real>(view: &View<R>, outline: &Zonogon<R>, index: usize) -> Option<Piece<R>> {
-    if let Some(side) = outline.side(index / 2) {
-        let normal = signed(view.lift(side.normal), index);
-        return Some(Piece::plane(normal, side.extent));
+    if let Some((normal, extent)) = outline.side(index / 2) {
+        let normal = signed(view.lift(normal), index);
+        return Some(Piece::plane(normal, extent));
     }
     let corner = outline.corner(index - 2 * outline.len())?;
     Some(Piece::length(view.lift(corner), Some(view.along)))

@@ -86,10 +86,7 @@ impl Relation {
             Relation::Inside => room(a, b, d, count),
             Relation::InsideAlong(axis) => room_along(a, b, axis, dimensions).margin(d),
             Relation::Over => room(&Body::point(a.centre), b, d, FOOTPRINT),
-            Relation::Corner => {
-                let distances = corner_distances(a, b, d, count);
-                distances.fold(R::INFINITY, R::min) - (a.radius + b.radius)
-            }
+            Relation::Corner => nearest_corner(a, b, d, count) - (a.radius + b.radius),
             Relation::Coordinate(axis) => dot(d, direction(b, axis, dimensions)),
             Relation::Magnitude(axis) => dot(d, direction(b, axis, dimensions)).abs(),
         }
@@ -199,7 +196,15 @@ fn distance<R: Real>(a: &Body<R>, b: &Body<R>, d: Vector3<R>, dimensions: Dimens
             let [x, y, _] = d;
             Zonogon::of([a, b]).signed_distance([x, y])
         }
-        Dimensions::Space => Zonotope::of([a, b], count).signed_distance(d),
+        Dimensions::Space => {
+            let distance = Zonotope::of([a, b], count).distance_unless_from_edge(d);
+            // Of two bodies that are nearest at an edge of one of them, one is so at a corner.
+            distance.unwrap_or_else(|| {
+                let opposite = subtract([R::ZERO; 3], d);
+                let nearest = nearest_corner(a, b, d, count);
+                nearest.min(nearest_corner(b, a, opposite, count))
+            })
+        }
     }
 }
 
@@ -209,7 +214,12 @@ fn room<R: Real>(a: &Body<R>, b: &Body<R>, d: Vector3<R>, count: usize) -> R {
         let rooms = slabs(a, b, count).map(|slab| slab.margin(d));
         return rooms.fold(R::INFINITY, R::min);
     }
-    let farthest = corner_distances(a, b, d, count).fold(R::NEG_INFINITY, R::max);
+    let corners = Corners::of(a, count);
+    let mut farthest = R::NEG_INFINITY;
+    for index in 0..corners.len() {
+        let corner = add(d, corners.get(index));
+        farthest = farthest.max(b.distance_from_core(corner, count));
+    }
     b.radius - a.radius - farthest
 }
 
@@ -247,16 +257,14 @@ fn room_along<R: Real>(a: &Body<R>, b: &Body<R>, axis: Axis, dimensions: Dimensi
     Slab::within(a, direction(b, axis, dimensions), half)
 }
 
-/// How far each corner of `a` is from the core of `b`; below zero, how deep in it.
-fn corner_distances<R: Real>(
-    a: &Body<R>,
-    b: &Body<R>,
-    d: Vector3<R>,
-    count: usize,
-) -> impl Iterator<Item = R> {
+/// How far the nearest corner of `a` is from the core of `b`; below zero, how deep the
+/// deepest is in it.
+fn nearest_corner<R: Real>(a: &Body<R>, b: &Body<R>, d: Vector3<R>, count: usize) -> R {
     let corners = Corners::of(a, count);
-    (0..corners.len()).map(move |index| {
+    let mut nearest = R::INFINITY;
+    for index in 0..corners.len() {
         let corner = add(d, corners.get(index));
-        b.distance_from_core(corner, count)
-    })
+        nearest = nearest.min(b.distance_from_core(corner, count));
+    }
+    nearest
 }
