@@ -201,7 +201,8 @@ impl<R: Real> Corners<R> {
         Corners::between(body.sides(count).map(|(axis, half)| scale(axis, half)))
     }
 
-    fn between(half_axes: impl Iterator<Item = Vector3<R>>) -> Self {
+    /// All sums of half axes and their opposites.
+    pub(super) fn between(half_axes: impl Iterator<Item = Vector3<R>>) -> Self {
         let mut corners = Corners::none();
         for half_axis in half_axes {
             // Two bodies have no more than there is room for.

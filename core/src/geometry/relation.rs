@@ -3,7 +3,7 @@
 
 use super::body::{Body, Dimensions};
 use super::pieces::{Corners, Distances, Pieces, Slab};
-use super::vector::{Vector3, add, cross, dot, subtract};
+use super::vector::{Vector3, add, cross, dot, scale, subtract};
 use super::zonogon::Zonogon;
 use super::zonotope::Zonotope;
 use crate::real::Real;
@@ -186,10 +186,10 @@ fn difference<R: Real>(a: &Body<R>, b: &Body<R>, dimensions: Dimensions) -> Vect
 fn distance<R: Real>(a: &Body<R>, b: &Body<R>, d: Vector3<R>, dimensions: Dimensions) -> R {
     let count = dimensions.count();
     if a.sides(count).next().is_none() {
-        return b.distance_from_core(d, count);
+        return b.distance_from_core(b.local(d), count);
     }
     if b.sides(count).next().is_none() {
-        return a.distance_from_core(d, count);
+        return a.distance_from_core(a.local(d), count);
     }
     match dimensions {
         Dimensions::Plane => {
@@ -214,12 +214,7 @@ fn room<R: Real>(a: &Body<R>, b: &Body<R>, d: Vector3<R>, count: usize) -> R {
         let rooms = slabs(a, b, count).map(|slab| slab.margin(d));
         return rooms.fold(R::INFINITY, R::min);
     }
-    let corners = Corners::of(a, count);
-    let mut farthest = R::NEG_INFINITY;
-    for index in 0..corners.len() {
-        let corner = add(d, corners.get(index));
-        farthest = farthest.max(b.distance_from_core(corner, count));
-    }
+    let farthest = fold_corners(a, b, d, count, R::NEG_INFINITY, R::max);
     b.radius - a.radius - farthest
 }
 
@@ -260,11 +255,25 @@ fn room_along<R: Real>(a: &Body<R>, b: &Body<R>, axis: Axis, dimensions: Dimensi
 /// How far the nearest corner of `a` is from the core of `b`; below zero, how deep the
 /// deepest is in it.
 fn nearest_corner<R: Real>(a: &Body<R>, b: &Body<R>, d: Vector3<R>, count: usize) -> R {
-    let corners = Corners::of(a, count);
-    let mut nearest = R::INFINITY;
-    for index in 0..corners.len() {
-        let corner = add(d, corners.get(index));
-        nearest = nearest.min(b.distance_from_core(corner, count));
-    }
-    nearest
+    fold_corners(a, b, d, count, R::INFINITY, R::min)
+}
+
+/// The least or the greatest of how far the corners of `a` are from the core of `b`.
+fn fold_corners<R: Real>(
+    a: &Body<R>,
+    b: &Body<R>,
+    d: Vector3<R>,
+    count: usize,
+    start: R,
+    choose: impl Fn(R, R) -> R,
+) -> R {
+    let centre = b.local(d);
+    let half_axes = a
+        .sides(count)
+        .map(|(axis, half)| scale(b.local(axis), half));
+    let corners = Corners::between(half_axes);
+    (0..corners.len()).fold(start, |chosen, index| {
+        let corner = add(centre, corners.get(index));
+        choose(chosen, b.distance_from_core(corner, count))
+    })
 }

@@ -33,8 +33,8 @@ fn roots(piece: &Piece<f64>, start: Vector, step: Vector, value: f64) -> Vec<f64
     }
 }
 
-/// How many of the samples along lines were looked at, how often the value passed the
-/// threshold, and the most pieces of a pair.
+/// How many samples along lines were looked at, and how often the value passed the threshold
+/// between two cuts.
 #[derive(Debug, Default)]
 struct Seen {
     samples: usize,
