@@ -5,10 +5,6 @@ use super::vector::Vector2;
 use crate::real::Real;
 use heapless::Vec;
 
-/// Two directions count as parallel if the sine of the angle between them is at most so many
-/// rounding errors.
-pub(super) const PARALLEL: f64 = 32.0;
-
 /// A polygon around the origin: the sums of its *generators*, each times a number from -1
 /// to 1.
 ///
@@ -105,8 +101,10 @@ impl<R: Real> Zonogon<R> {
 
     /// The side along a direction. Sides along parallel generators are one side, which then
     /// stands for each of them.
+    ///
+    /// Rounding cannot turn the sign of a difference of two products, only make it zero. So
+    /// generators that are parallel but for rounding are in one order from all sides.
     fn side_along(&self, [x, y]: Vector2<R>) -> Side<R> {
-        let parallel = R::from_f64(PARALLEL) * R::EPSILON;
         let mut side = Side {
             along: [x, y],
             half: R::ZERO,
@@ -115,7 +113,7 @@ impl<R: Real> Zonogon<R> {
         for &Generator { axis, half } in &self.generators {
             let [gx, gy] = axis;
             let outwards = gx * y - gy * x;
-            if outwards.abs() <= parallel {
+            if outwards == R::ZERO {
                 side.half += half;
             } else {
                 let half = if outwards < R::ZERO { -half } else { half };
@@ -180,5 +178,25 @@ impl<R: Real> Side<R> {
         let foot = (x * ax + y * ay).clamp(-self.half, self.half);
         let [x, y] = [x - foot * ax, y - foot * ay];
         x * x + y * y
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Zonogon;
+
+    #[test]
+    fn no_corner_is_lost_among_directions_that_are_parallel_but_for_rounding() {
+        for step in 0..20_000_u32 {
+            let (y, x) = (0.7 + f64::from(step) * 1e-4).sin_cos();
+            let mut zonogon = Zonogon::new();
+            for k in 0..3 {
+                let nudge = |bit: u32| f64::from((step >> (bit + 2 * k)) & 3) * f64::EPSILON / 4.0;
+                zonogon.add([x + nudge(0), y + nudge(6)], 1.0);
+            }
+            let corners = (0..6).filter_map(|index| zonogon.corner(index));
+            let farthest = corners.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+            assert!((farthest - 3.0).abs() < 1e-12, "{farthest} in step {step}");
+        }
     }
 }

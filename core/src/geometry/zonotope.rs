@@ -2,9 +2,13 @@
 
 use super::body::{Body, level_normal};
 use super::vector::{Vector2, Vector3, cross, dot, scale, subtract};
-use super::zonogon::{PARALLEL, Zonogon};
+use super::zonogon::Zonogon;
 use crate::real::Real;
 use heapless::Vec;
+
+/// Two directions count as parallel, and one as lying in a plane, if the sine of the angle
+/// between them is at most so many rounding errors.
+const PARALLEL: f64 = 32.0;
 
 /// A polyhedron around the origin: the sums of its *generators*, each times a number from
 /// -1 to 1. The zonotope of two bodies is the difference of their cores, moved to the origin.

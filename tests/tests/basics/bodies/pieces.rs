@@ -122,6 +122,29 @@ fn in_space_a_value_is_made_of_its_pieces() {
 }
 
 #[test]
+fn boxes_turned_alike_have_all_their_edges() {
+    // All axes of one are those of the other but for rounding, so that four half axes lie in
+    // a plane, and three of them are seen along one line.
+    let mut rng = generator(13);
+    for _ in 0..1000 {
+        let frame = Frame3::new([0.0; 3], vector(&mut rng, PI));
+        let quarters = [0; 3].map(|_| FRAC_PI_2 * below(&mut rng, 4) as f64);
+        let alike = frame.compose(&Frame3::new([0.0; 3], quarters));
+        let a = body(&mut rng, SPACE[9], frame.axes());
+        let b = body(&mut rng, SPACE[10], alike.axes());
+        let pieces = Relation::Clear.pieces(&a, &b, Dimensions::Space);
+        for _ in 0..20 {
+            let a = moved(&a, vector(&mut rng, 2.0));
+            let value = Relation::Clear.value(&a, &b, Dimensions::Space);
+            let d = subtract(a.centre, b.centre);
+            let differences = pieces.iter().map(|piece| (piece.value(d) - value).abs());
+            let nearest = differences.fold(f64::INFINITY, f64::min);
+            assert!(nearest < TOLERANCE, "{nearest} at {d:?} of {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
 fn there_are_no_more_pieces_than_sides_and_corners() {
     let turned = axes([0.3, 0.0, 0.0]);
     let rectangle = Body::new([0.0; 3], Body::UPRIGHT, [2.0, 1.0, 0.0], 0.0);
