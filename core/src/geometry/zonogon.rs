@@ -180,23 +180,3 @@ impl<R: Real> Side<R> {
         x * x + y * y
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Zonogon;
-
-    #[test]
-    fn no_corner_is_lost_among_directions_that_are_parallel_but_for_rounding() {
-        for step in 0..20_000_u32 {
-            let (y, x) = (0.7 + f64::from(step) * 1e-4).sin_cos();
-            let mut zonogon = Zonogon::new();
-            for k in 0..3 {
-                let nudge = |bit: u32| f64::from((step >> (bit + 2 * k)) & 3) * f64::EPSILON / 4.0;
-                zonogon.add([x + nudge(0), y + nudge(6)], 1.0);
-            }
-            let corners = (0..6).filter_map(|index| zonogon.corner(index));
-            let farthest = corners.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
-            assert!((farthest - 3.0).abs() < 1e-12, "{farthest} in step {step}");
-        }
-    }
-}
