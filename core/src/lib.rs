@@ -22,7 +22,7 @@
 //! | [`region`] | regions: constraints, grounded in an instance, sampled exactly |
 //! | [`grammar`] | features and hypotheses made of a domain, formulas and their text |
 //! | [`domain`] | what can be said of an action: the domain text, terms, and numbers put into them |
-//! | [`geometry`] | frames of reference, shapes, intersection |
+//! | [`geometry`] | frames of reference, shapes, intersection, bodies and the relations between them |
 //! | [`real`], [`random`], [`table`], [`text`] | numbers, random numbers, tables in lent memory, reading and writing |
 //!
 //! Each knows only those below it; no layer knows an environment. Data flow one

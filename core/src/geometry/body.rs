@@ -150,14 +150,19 @@ impl<R: Real> Body<R> {
             .filter(|(_, half)| *half * *half > R::ZERO)
     }
 
-    /// The distance from its core to what lies at `offset` from its centre; below zero, how
-    /// deep that lies in the core. Only the first `count` axes count: the rest of the offset
-    /// is ignored.
+    /// A vector in its own frame.
+    pub(super) fn local(&self, vector: Vector3<R>) -> Vector3<R> {
+        self.axes.map(|axis| dot(vector, axis))
+    }
+
+    /// The distance from its core to what lies at `offset` from its centre, as seen in its
+    /// own frame; below zero, how deep that lies in the core. Only the first `count` axes
+    /// count.
     pub(super) fn distance_from_core(&self, offset: Vector3<R>, count: usize) -> R {
         let mut squared = R::ZERO;
         let mut farthest = R::NEG_INFINITY;
-        for (axis, half) in self.axes.iter().zip(self.half_sizes).take(count) {
-            let beyond = dot(offset, *axis).abs() - half;
+        for (along, half) in offset.iter().zip(self.half_sizes).take(count) {
+            let beyond = along.abs() - half;
             farthest = farthest.max(beyond);
             if beyond > R::ZERO {
                 squared += beyond * beyond;

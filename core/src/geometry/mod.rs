@@ -1,9 +1,10 @@
-//! Frames of reference and shapes.
+//! Frames of reference, shapes and bodies.
 //!
 //! [`Frame2`] and [`Frame3`] are the homogeneous transforms of thesis section
 //! 2.1; [`Circle`], [`Rectangle`] and [`Segment`] in the plane and [`Cuboid`] in
 //! space are the shapes of the built-in environments, and [`Intersects`] tells
-//! whether two of them meet. All are generic over [`Real`](crate::real::Real); sine
+//! whether two of them meet. A [`Body`] is any convex thing with a size, and a [`Relation`]
+//! says how two of them lie to each other, as a number. All are generic over [`Real`](crate::real::Real); sine
 //! and cosine are computed once, when a frame or a shape is made from an angle.
 
 mod body;

@@ -7,7 +7,8 @@ use super::zonotope::{View, Zonotope};
 use crate::real::Real;
 use heapless::Vec;
 
-/// A function of `d`, the vector from the centre of one body to that of the other.
+/// A function of `d`, the vector from the centre of a body `b` to that of a body `a`. In the
+/// plane it does not depend on the z of `d`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Piece<R> {
     /// `d . normal - offset`
@@ -106,7 +107,7 @@ impl<R: Real> Pieces<R> {
     pub fn len(&self) -> usize {
         match &self.0 {
             Kind::Planes(planes) => planes.len(),
-            Kind::Distances(distances) => distances.corners.len() * distances.len_per_corner(),
+            Kind::Distances(distances) => distances.len(),
         }
     }
 
@@ -201,7 +202,8 @@ impl<R: Real> Corners<R> {
         Corners::between(body.sides(count).map(|(axis, half)| scale(axis, half)))
     }
 
-    fn between(half_axes: impl Iterator<Item = Vector3<R>>) -> Self {
+    /// All sums of half axes and their opposites.
+    pub(super) fn between(half_axes: impl Iterator<Item = Vector3<R>>) -> Self {
         let mut corners = Corners::none();
         for half_axis in half_axes {
             // Two bodies have no more than there is room for.
@@ -256,19 +258,22 @@ impl<R: Real> Distances<R> {
         }
     }
 
+    fn len(&self) -> usize {
+        self.corners.len() * self.len_per_corner()
+    }
+
     fn get(&self, index: usize) -> Option<Piece<R>> {
+        if index >= self.len() {
+            return None;
+        }
         let per_corner = self.len_per_corner();
         let corner = self.corners.get(index.checked_div(per_corner)?);
-        let index_there = index.checked_rem(per_corner)?;
+        let index = index.checked_rem(per_corner)?;
         let piece = match &self.outline {
-            Some((view, outline)) => of_outline(view, outline, index_there),
-            None => self.of_zonotope(index_there),
+            Some((view, outline)) => of_outline(view, outline, index),
+            None => self.of_zonotope(index),
         };
-        (index < self.corners.len() * per_corner).then_some(piece?.transformed(
-            corner,
-            self.factor,
-            self.offset,
-        ))
+        Some(piece?.transformed(corner, self.factor, self.offset))
     }
 
     fn len_per_corner(&self) -> usize {
@@ -311,9 +316,9 @@ impl<R: Real> Distances<R> {
 
 /// Sides, corners.
 fn of_outline<R: Real>(view: &View<R>, outline: &Zonogon<R>, index: usize) -> Option<Piece<R>> {
-    if let Some(side) = outline.side(index / 2) {
-        let normal = signed(view.lift(side.normal), index);
-        return Some(Piece::plane(normal, side.extent));
+    if let Some((normal, extent)) = outline.side(index / 2) {
+        let normal = signed(view.lift(normal), index);
+        return Some(Piece::plane(normal, extent));
     }
     let corner = outline.corner(index - 2 * outline.len())?;
     Some(Piece::length(view.lift(corner), Some(view.along)))

@@ -3,7 +3,7 @@
 
 use super::body::{Body, Dimensions};
 use super::pieces::{Corners, Distances, Pieces, Slab};
-use super::vector::{Vector3, add, cross, dot, subtract};
+use super::vector::{Vector3, add, cross, dot, scale, subtract};
 use super::zonogon::Zonogon;
 use super::zonotope::Zonotope;
 use crate::real::Real;
@@ -86,10 +86,7 @@ impl Relation {
             Relation::Inside => room(a, b, d, count),
             Relation::InsideAlong(axis) => room_along(a, b, axis, dimensions).margin(d),
             Relation::Over => room(&Body::point(a.centre), b, d, FOOTPRINT),
-            Relation::Corner => {
-                let distances = corner_distances(a, b, d, count);
-                distances.fold(R::INFINITY, R::min) - (a.radius + b.radius)
-            }
+            Relation::Corner => nearest_corner(a, b, d, count) - (a.radius + b.radius),
             Relation::Coordinate(axis) => dot(d, direction(b, axis, dimensions)),
             Relation::Magnitude(axis) => dot(d, direction(b, axis, dimensions)).abs(),
         }
@@ -189,17 +186,25 @@ fn difference<R: Real>(a: &Body<R>, b: &Body<R>, dimensions: Dimensions) -> Vect
 fn distance<R: Real>(a: &Body<R>, b: &Body<R>, d: Vector3<R>, dimensions: Dimensions) -> R {
     let count = dimensions.count();
     if a.sides(count).next().is_none() {
-        return b.distance_from_core(d, count);
+        return b.distance_from_core(b.local(d), count);
     }
     if b.sides(count).next().is_none() {
-        return a.distance_from_core(d, count);
+        return a.distance_from_core(a.local(d), count);
     }
     match dimensions {
         Dimensions::Plane => {
             let [x, y, _] = d;
             Zonogon::of([a, b]).signed_distance([x, y])
         }
-        Dimensions::Space => Zonotope::of([a, b], count).signed_distance(d),
+        Dimensions::Space => {
+            let distance = Zonotope::of([a, b], count).distance_unless_from_edge(d);
+            // Of two bodies that are nearest at an edge of one of them, one is so at a corner.
+            distance.unwrap_or_else(|| {
+                let opposite = subtract([R::ZERO; 3], d);
+                let nearest = nearest_corner(a, b, d, count);
+                nearest.min(nearest_corner(b, a, opposite, count))
+            })
+        }
     }
 }
 
@@ -209,7 +214,7 @@ fn room<R: Real>(a: &Body<R>, b: &Body<R>, d: Vector3<R>, count: usize) -> R {
         let rooms = slabs(a, b, count).map(|slab| slab.margin(d));
         return rooms.fold(R::INFINITY, R::min);
     }
-    let farthest = corner_distances(a, b, d, count).fold(R::NEG_INFINITY, R::max);
+    let farthest = fold_corners(a, b, d, count, R::NEG_INFINITY, R::max);
     b.radius - a.radius - farthest
 }
 
@@ -247,16 +252,28 @@ fn room_along<R: Real>(a: &Body<R>, b: &Body<R>, axis: Axis, dimensions: Dimensi
     Slab::within(a, direction(b, axis, dimensions), half)
 }
 
-/// How far each corner of `a` is from the core of `b`; below zero, how deep in it.
-fn corner_distances<R: Real>(
+/// How far the nearest corner of `a` is from the core of `b`; below zero, how deep the
+/// deepest is in it.
+fn nearest_corner<R: Real>(a: &Body<R>, b: &Body<R>, d: Vector3<R>, count: usize) -> R {
+    fold_corners(a, b, d, count, R::INFINITY, R::min)
+}
+
+/// The least or the greatest of how far the corners of `a` are from the core of `b`.
+fn fold_corners<R: Real>(
     a: &Body<R>,
     b: &Body<R>,
     d: Vector3<R>,
     count: usize,
-) -> impl Iterator<Item = R> {
-    let corners = Corners::of(a, count);
-    (0..corners.len()).map(move |index| {
-        let corner = add(d, corners.get(index));
-        b.distance_from_core(corner, count)
+    start: R,
+    choose: impl Fn(R, R) -> R,
+) -> R {
+    let centre = b.local(d);
+    let half_axes = a
+        .sides(count)
+        .map(|(axis, half)| scale(b.local(axis), half));
+    let corners = Corners::between(half_axes);
+    (0..corners.len()).fold(start, |chosen, index| {
+        let corner = add(centre, corners.get(index));
+        choose(chosen, b.distance_from_core(corner, count))
     })
 }

@@ -5,10 +5,6 @@ use super::vector::Vector2;
 use crate::real::Real;
 use heapless::Vec;
 
-/// Two directions count as parallel if the tangent of the angle between them is below so
-/// many rounding errors.
-const PARALLEL: f64 = 32.0;
-
 /// A polygon around the origin: the sums of its *generators*, each times a number from -1
 /// to 1.
 ///
@@ -17,19 +13,25 @@ const PARALLEL: f64 = 32.0;
 /// is that of one point from one polygon.
 #[derive(Clone, Debug)]
 pub(super) struct Zonogon<R> {
-    generators: Vec<Vector2<R>, 6>,
+    generators: Vec<Generator<R>, 6>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Generator<R> {
+    /// Its direction, of length one.
+    axis: Vector2<R>,
+    /// Its length.
+    half: R,
 }
 
 /// One of the two equal and opposite sides along a generator.
+#[derive(Clone, Copy)]
 pub(super) struct Side<R> {
-    /// From the middle of the side to its end, counter-clockwise around the polygon.
-    pub(super) half: Vector2<R>,
-    /// The middle of the side.
-    pub(super) middle: Vector2<R>,
-    /// Across the side and outwards; of length one.
-    pub(super) normal: Vector2<R>,
-    /// How far the side lies from the origin.
-    pub(super) extent: R,
+    /// Along the side, counter-clockwise around the polygon.
+    along: Vector2<R>,
+    /// Half the length of the side.
+    half: R,
+    middle: Vector2<R>,
 }
 
 impl<R: Real> Zonogon<R> {
@@ -39,20 +41,21 @@ impl<R: Real> Zonogon<R> {
         }
     }
 
-    /// That of two bodies in the plane: the difference of their cores, moved to the origin.
+    /// That of two bodies: the difference of their cores, moved to the origin.
     pub(super) fn of(bodies: [&Body<R>; 2]) -> Self {
         let mut zonogon = Zonogon::new();
         for body in bodies {
             for ([x, y, _], half) in body.sides(Dimensions::Plane.count()) {
-                zonogon.add([x * half, y * half]);
+                zonogon.add([x, y], half);
             }
         }
         zonogon
     }
 
-    /// With one generator more; a seventh is ignored, because two bodies have six.
-    pub(super) fn add(&mut self, generator: Vector2<R>) {
-        let _ = self.generators.push(generator);
+    /// With one generator more, along a direction of length one. A seventh is ignored,
+    /// because two bodies have six.
+    pub(super) fn add(&mut self, axis: Vector2<R>, half: R) {
+        let _ = self.generators.push(Generator { axis, half });
     }
 
     /// How many generators it has, and so how many sides in pairs.
@@ -60,11 +63,11 @@ impl<R: Real> Zonogon<R> {
         self.generators.len()
     }
 
-    /// The side along a generator, one of two. Sides along parallel generators are one side,
-    /// which then stands for each of them.
-    pub(super) fn side(&self, index: usize) -> Option<Side<R>> {
-        let along = self.generators.get(index)?;
-        Some(self.side_along(*along))
+    /// The normal of a side along a generator, one of two, and how far the side lies from
+    /// the origin.
+    pub(super) fn side(&self, index: usize) -> Option<(Vector2<R>, R)> {
+        let [x, y] = self.generators.get(index)?.axis;
+        Some(([y, -x], self.extent([y, -x])))
     }
 
     /// How many corners so many generators make.
@@ -77,9 +80,10 @@ impl<R: Real> Zonogon<R> {
         if self.generators.is_empty() && index == 0 {
             return Some([R::ZERO; 2]);
         }
-        let side = self.side(index / 2)?;
-        let ([mx, my], [hx, hy]) = (side.middle, side.half);
-        let (x, y) = (mx + hx, my + hy);
+        let axis = self.generators.get(index / 2)?.axis;
+        let side = self.side_along(axis);
+        let ([mx, my], [x, y]) = (side.middle, side.along);
+        let (x, y) = (mx + x * side.half, my + y * side.half);
         Some(if index.is_multiple_of(2) {
             [x, y]
         } else {
@@ -87,48 +91,59 @@ impl<R: Real> Zonogon<R> {
         })
     }
 
+    /// How far it reaches from the origin along a direction of length one.
+    fn extent(&self, [x, y]: Vector2<R>) -> R {
+        self.generators.iter().fold(R::ZERO, |sum, generator| {
+            let [gx, gy] = generator.axis;
+            sum + (gx * x + gy * y).abs() * generator.half
+        })
+    }
+
+    /// The side along a direction. Sides along parallel generators are one side, which then
+    /// stands for each of them.
+    ///
+    /// Rounding cannot turn the sign of a difference of two products, only make it zero. So
+    /// generators that are parallel but for rounding are in one order from all sides.
     fn side_along(&self, [x, y]: Vector2<R>) -> Side<R> {
-        let length = (x * x + y * y).sqrt();
-        let [x, y] = [x / length, y / length];
-        let parallel = R::from_f64(PARALLEL) * R::EPSILON;
         let mut side = Side {
-            half: [R::ZERO; 2],
+            along: [x, y],
+            half: R::ZERO,
             middle: [R::ZERO; 2],
-            normal: [y, -x],
-            extent: R::ZERO,
         };
-        for &[gx, gy] in &self.generators {
+        for &Generator { axis, half } in &self.generators {
+            let [gx, gy] = axis;
             let outwards = gx * y - gy * x;
-            let onwards = gx * x + gy * y;
-            if outwards.abs() <= parallel * onwards.abs() {
-                add_signed(&mut side.half, [gx, gy], onwards);
+            if outwards == R::ZERO {
+                side.half += half;
             } else {
-                side.extent += outwards.abs();
-                add_signed(&mut side.middle, [gx, gy], outwards);
+                let half = if outwards < R::ZERO { -half } else { half };
+                let [mx, my] = side.middle;
+                side.middle = [mx + gx * half, my + gy * half];
             }
         }
         side
     }
 
     /// The distance of a point from the polygon; below zero, how deep it lies inside.
-    pub(super) fn signed_distance(&self, point: Vector2<R>) -> R {
+    pub(super) fn signed_distance(&self, [x, y]: Vector2<R>) -> R {
         let mut highest = R::NEG_INFINITY;
         let mut nearest = R::INFINITY;
-        for along in &self.generators {
-            let side = self.side_along(*along);
-            let height = side.height(point);
+        for generator in &self.generators {
+            let [ax, ay] = generator.axis;
+            let height = (x * ay - y * ax).abs() - self.extent([ay, -ax]);
             highest = highest.max(height);
             // The nearest point lies on a side that is seen from the point.
             if height > R::ZERO {
-                nearest = nearest.min(side.distance_squared(point));
+                let side = self.side_along(generator.axis);
+                nearest = nearest.min(side.distance_squared([x, y]));
             }
         }
         if highest > R::ZERO {
             nearest.sqrt()
-        } else if highest < -self.rounding(point) {
+        } else if highest < -self.rounding([x, y]) {
             highest
         } else {
-            self.distance_from_outline(point)
+            self.distance_from_outline([x, y])
         }
     }
 
@@ -140,52 +155,28 @@ impl<R: Real> Zonogon<R> {
         if self.generators.is_empty() {
             return (x * x + y * y).sqrt();
         }
-        let sides = self.generators.iter().map(|along| self.side_along(*along));
-        sides
-            .fold(R::INFINITY, |nearest, side| {
-                nearest.min(side.distance_squared([x, y]))
-            })
-            .sqrt()
+        let sides = self.generators.iter().map(|g| self.side_along(g.axis));
+        let squares = sides.map(|side| side.distance_squared([x, y]));
+        squares.fold(R::INFINITY, R::min).sqrt()
     }
 
     /// What the coordinates of a point relative to the polygon may be off by rounding.
     fn rounding(&self, [x, y]: Vector2<R>) -> R {
-        let sizes = self.generators.iter();
-        let size = sizes.fold(x.abs() + y.abs(), |sum, [x, y]| sum + x.abs() + y.abs());
+        let sizes = self.generators.iter().map(|generator| generator.half);
+        let size = sizes.fold(x.abs() + y.abs(), |sum, half| sum + half);
         R::from_f64(8.0) * R::EPSILON * size
     }
 }
 
 impl<R: Real> Side<R> {
-    /// How far beyond this side, or the opposite one, a point lies.
-    fn height(&self, [x, y]: Vector2<R>) -> R {
-        let [nx, ny] = self.normal;
-        (x * nx + y * ny).abs() - self.extent
-    }
-
     /// The square of the distance of a point from this side or the opposite one, whichever
     /// is on its side of the origin.
     fn distance_squared(&self, [x, y]: Vector2<R>) -> R {
-        let ([nx, ny], [hx, hy], [mx, my]) = (self.normal, self.half, self.middle);
-        let [x, y] = if x * nx + y * ny < R::ZERO {
-            [-x, -y]
-        } else {
-            [x, y]
-        };
+        let ([ax, ay], [mx, my]) = (self.along, self.middle);
+        let [x, y] = if x * ay < y * ax { [-x, -y] } else { [x, y] };
         let [x, y] = [x - mx, y - my];
-        let part = ((x * hx + y * hy) / (hx * hx + hy * hy)).clamp(-R::ONE, R::ONE);
-        let [x, y] = [x - part * hx, y - part * hy];
+        let foot = (x * ax + y * ay).clamp(-self.half, self.half);
+        let [x, y] = [x - foot * ax, y - foot * ay];
         x * x + y * y
-    }
-}
-
-/// Adds a vector or its opposite, by the sign of a number.
-fn add_signed<R: Real>([x, y]: &mut Vector2<R>, [dx, dy]: Vector2<R>, sign: R) {
-    if sign < R::ZERO {
-        *x -= dx;
-        *y -= dy;
-    } else {
-        *x += dx;
-        *y += dy;
     }
 }

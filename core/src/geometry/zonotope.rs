@@ -7,7 +7,7 @@ use crate::real::Real;
 use heapless::Vec;
 
 /// Two directions count as parallel, and one as lying in a plane, if the sine of the angle
-/// between them is below so many rounding errors.
+/// between them is at most so many rounding errors.
 const PARALLEL: f64 = 32.0;
 
 /// A polyhedron around the origin: the sums of its *generators*, each times a number from
@@ -30,7 +30,7 @@ pub(super) struct Face<R> {
     pub(super) normal: Vector3<R>,
     /// How far the face lies from the origin.
     pub(super) extent: R,
-    /// The direction of one of its edges.
+    /// The direction of an edge, of length one.
     edge: Vector3<R>,
 }
 
@@ -51,70 +51,48 @@ impl<R: Real> Zonotope<R> {
         &self.generators
     }
 
-    /// The face along two generators, one of two; `None` if they are parallel. Faces in one
-    /// plane are one face, which then stands for each pair of its generators.
-    fn face(&self, one: &Generator<R>, other: &Generator<R>) -> Option<Face<R>> {
-        let across = cross(one.axis, other.axis);
-        // Among nearly parallel directions rounding can leave a part along one of them.
-        let across = subtract(across, scale(one.axis, dot(across, one.axis)));
-        let squared = dot(across, across);
-        let parallel = R::from_f64(PARALLEL) * R::EPSILON;
-        if !(squared > parallel * parallel) {
-            return None;
-        }
-        let normal = scale(across, R::ONE / squared.sqrt());
+    /// The face along each pair of generators, one of two; `None` for parallel ones. Faces
+    /// in one plane are one face, which then stands for each pair of its generators.
+    pub(super) fn faces(&self) -> impl Iterator<Item = Option<Face<R>>> + '_ {
+        let pairs = self.generators.iter().enumerate().flat_map(|(count, one)| {
+            let earlier = self.generators.iter().take(count);
+            earlier.map(move |other| (one.axis, other.axis))
+        });
+        pairs.map(|(one, other)| self.face(one, other))
+    }
+
+    fn face(&self, one: Vector3<R>, other: Vector3<R>) -> Option<Face<R>> {
+        let normal = common_normal(one, other)?;
         let extent = self.generators.iter().fold(R::ZERO, |sum, generator| {
             sum + dot(generator.axis, normal).abs() * generator.half
         });
         Some(Face {
             normal,
             extent,
-            edge: one.axis,
+            edge: one,
         })
     }
 
-    /// The face along each pair of generators, one of two; `None` for parallel ones.
-    pub(super) fn faces(&self) -> impl Iterator<Item = Option<Face<R>>> + '_ {
-        let pairs = self.generators.iter().enumerate().flat_map(|(count, one)| {
-            let earlier = self.generators.iter().take(count);
-            earlier.map(move |other| (one, other))
-        });
-        pairs.map(|(one, other)| self.face(one, other))
-    }
-
     /// The distance of a point from the polyhedron; below zero, how deep it lies inside.
-    pub(super) fn signed_distance(&self, point: Vector3<R>) -> R {
+    /// `None` if the nearest point lies on an edge.
+    pub(super) fn distance_unless_from_edge(&self, point: Vector3<R>) -> Option<R> {
         let mut highest: Option<(R, Face<R>)> = None;
         for face in self.faces().flatten() {
-            let height = face.height(point);
+            let height = dot(point, face.normal).abs() - face.extent;
             if highest.is_none_or(|(most, _)| height > most) {
                 highest = Some((height, face));
             }
         }
-        let Some((height, face)) = highest else {
-            return self.distance_from_line(point);
-        };
+        let (height, face) = highest?;
         let rounding = self.rounding(point);
-        if height < -rounding {
-            return height;
-        }
-        // No point of the polyhedron is nearer than the highest face is below.
-        let mut nearest = self.distance_from_face(&face, point);
-        if nearest <= height.max(R::ZERO) + rounding {
-            return nearest;
-        }
-        // The nearest point lies on a face that is seen from the point.
-        for face in self.faces().flatten() {
-            let height = face.height(point);
-            if -rounding <= height && height < nearest {
-                nearest = nearest.min(self.distance_from_face(&face, point));
-            }
-        }
-        nearest
+        // No point of the polyhedron is nearer than the highest face is below. Where there is
+        // no inside, or the point lies on a face but for rounding, it may be beside.
+        let is_nearest = height < -rounding || self.aside(&face, point) <= rounding;
+        is_nearest.then_some(height)
     }
 
-    /// The distance from a point to a face or the opposite one, whichever is on its side.
-    fn distance_from_face(&self, face: &Face<R>, point: Vector3<R>) -> R {
+    /// How far a point is beside a face, as seen from above it; zero or less if it is not.
+    fn aside(&self, face: &Face<R>, point: Vector3<R>) -> R {
         let in_plane = R::from_f64(PARALLEL) * R::EPSILON;
         let view = View::with_right(face.normal, face.edge);
         let point = if dot(point, face.normal) < R::ZERO {
@@ -123,32 +101,17 @@ impl<R: Real> Zonotope<R> {
             point
         };
         let mut outline = Zonogon::new();
-        let mut beside = point;
-        for generator in &self.generators {
-            let rise = dot(generator.axis, face.normal);
-            let half = generator.half;
+        let mut offset = point;
+        for &Generator { axis, half } in &self.generators {
+            let rise = dot(axis, face.normal);
             if rise.abs() <= in_plane {
-                outline.add(view.project(scale(generator.axis, half)));
+                outline.add(view.project(axis), half);
             } else {
                 let half = if rise < R::ZERO { -half } else { half };
-                beside = subtract(beside, scale(generator.axis, half));
+                offset = subtract(offset, scale(axis, half));
             }
         }
-        let height = face.height(point).max(R::ZERO);
-        let aside = outline.signed_distance(view.project(beside)).max(R::ZERO);
-        (height * height + aside * aside).sqrt()
-    }
-
-    /// The distance from a point, if all generators are along one line.
-    fn distance_from_line(&self, point: Vector3<R>) -> R {
-        let Some(first) = self.generators.first() else {
-            return dot(point, point).sqrt();
-        };
-        let halves = self.generators.iter().map(|generator| generator.half);
-        let half = halves.fold(R::ZERO, |sum, half| sum + half);
-        let foot = dot(point, first.axis).clamp(-half, half);
-        let offset = subtract(point, scale(first.axis, foot));
-        dot(offset, offset).sqrt()
+        outline.signed_distance(view.project(offset))
     }
 
     /// What the coordinates of a point relative to the polyhedron may be off by rounding.
@@ -164,19 +127,29 @@ impl<R: Real> Zonotope<R> {
         let mut outline = Zonogon::new();
         for generator in &self.generators {
             let [x, y] = view.project(generator.axis);
-            if x * x + y * y > end_on * end_on {
-                outline.add([x * generator.half, y * generator.half]);
+            let length = (x * x + y * y).sqrt();
+            if length > end_on {
+                outline.add([x / length, y / length], generator.half * length);
             }
         }
         outline
     }
 }
 
-impl<R: Real> Face<R> {
-    /// How far beyond this face, or the opposite one, a point lies.
-    fn height(&self, point: Vector3<R>) -> R {
-        dot(point, self.normal).abs() - self.extent
+/// The direction across two others; `None` if they are parallel. All have length one.
+fn common_normal<R: Real>(one: Vector3<R>, other: Vector3<R>) -> Option<Vector3<R>> {
+    let mut normal = cross(one, other);
+    let mut squared = dot(normal, normal);
+    if squared < R::from_f64(0.25) {
+        let parallel = R::from_f64(PARALLEL) * R::EPSILON;
+        if squared <= parallel * parallel {
+            return None;
+        }
+        // Rounding leaves a part along the one, which is large beside what is left.
+        normal = subtract(normal, scale(one, dot(normal, one)));
+        squared = dot(normal, normal);
     }
+    Some(scale(normal, R::ONE / squared.sqrt()))
 }
 
 /// A direction to look along, and what is right and up there: unit vectors at right angles.

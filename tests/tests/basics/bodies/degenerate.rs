@@ -90,6 +90,23 @@ fn plates_that_cross_touch_where_no_corner_is() {
 }
 
 #[test]
+fn crossed_sticks_touch_at_their_edges() {
+    // Both lie on an edge, one nearly along the other: only across both edges is it seen how
+    // near they are.
+    let stick = |z: f64, yaw: f64| {
+        let turn = axes([yaw, 0.0, PI / 4.0]);
+        Body::new([0.0, 0.0, z], turn, [2.0, 0.5, 0.5], 0.0)
+    };
+    for yaw in [1.0, 1e-2, 1e-4, 1e-5, 1e-6] {
+        for gap in [0.1, 1e-6] {
+            let above = stick(2.0_f64.sqrt() + gap, yaw);
+            let value = clear(&above, &stick(0.0, 0.0), Dimensions::Space);
+            assert!((value - gap).abs() < 1e-12, "{value} {gap} {yaw}");
+        }
+    }
+}
+
+#[test]
 fn touching_bodies_are_at_no_distance() {
     let square = |x: f64, y: f64| Body::new([x, y, 0.0], UPRIGHT, [0.5, 0.5, 0.5], 0.0);
     for dimensions in [Dimensions::Plane, Dimensions::Space] {

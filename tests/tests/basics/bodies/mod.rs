@@ -98,16 +98,18 @@ fn body(rng: &mut Generator, Shape(sized, rounded): Shape, axes: [Vector; 3]) ->
     Body::new(vector(rng, 0.7), axes, half_sizes, radius)
 }
 
-/// Two bodies, of which a third have axes in common, up to quarter turns and rounding, and
-/// a sixth are not turned either; another sixth share one axis.
+/// Two bodies. Of seven pairs one is not turned, two are turned alike up to quarter turns and
+/// rounding, one shares an axis, and one is nearly turned alike.
 fn pair(rng: &mut Generator, [a, b]: [Shape; 2], dimensions: Dimensions) -> [Body<f64>; 2] {
     let own = turn(rng, dimensions);
+    let nearly = 0.1_f64.powf(uniform_in(rng, 2.0, 12.0));
     let quarter = FRAC_PI_2 * below(rng, 4) as f64;
-    let turns = match below(rng, 6) {
+    let turns = match below(rng, 7) {
         0 => [[0.0; 3], [quarter, 0.0, 0.0]],
         1 => [own, [own[0] + quarter, own[1], own[2]]],
         2 => [own, [own[0], own[1], own[2] + quarter]],
         3 => [own, [own[0] + 0.7, own[1], own[2]]],
+        4 => [own, add(own, scale(turn(rng, dimensions), nearly))],
         _ => [own, turn(rng, dimensions)],
     };
     if dimensions == Dimensions::Plane {

@@ -33,8 +33,8 @@ fn roots(piece: &Piece<f64>, start: Vector, step: Vector, value: f64) -> Vec<f64
     }
 }
 
-/// How many of the samples along lines were looked at, how often the value passed the
-/// threshold, and the most pieces of a pair.
+/// How many samples along lines were looked at, and how often the value passed the threshold
+/// between two cuts.
 #[derive(Debug, Default)]
 struct Seen {
     samples: usize,
@@ -119,6 +119,29 @@ fn in_the_plane_a_value_is_made_of_its_pieces() {
 fn in_space_a_value_is_made_of_its_pieces() {
     let seen = check(Dimensions::Space, 4, 12);
     assert!(seen.samples > 100_000 && seen.crossings > 1000, "{seen:?}");
+}
+
+#[test]
+fn boxes_turned_alike_have_all_their_edges() {
+    // All axes of one are those of the other but for rounding, so that four half axes lie in
+    // a plane, and three of them are seen along one line.
+    let mut rng = generator(13);
+    for _ in 0..1000 {
+        let frame = Frame3::new([0.0; 3], vector(&mut rng, PI));
+        let quarters = [0; 3].map(|_| FRAC_PI_2 * below(&mut rng, 4) as f64);
+        let alike = frame.compose(&Frame3::new([0.0; 3], quarters));
+        let a = body(&mut rng, SPACE[9], frame.axes());
+        let b = body(&mut rng, SPACE[10], alike.axes());
+        let pieces = Relation::Clear.pieces(&a, &b, Dimensions::Space);
+        for _ in 0..20 {
+            let a = moved(&a, vector(&mut rng, 2.0));
+            let value = Relation::Clear.value(&a, &b, Dimensions::Space);
+            let d = subtract(a.centre, b.centre);
+            let differences = pieces.iter().map(|piece| (piece.value(d) - value).abs());
+            let nearest = differences.fold(f64::INFINITY, f64::min);
+            assert!(nearest < TOLERANCE, "{nearest} at {d:?} of {a:?} {b:?}");
+        }
+    }
 }
 
 #[test]
