@@ -194,7 +194,7 @@ fn the_table_of_memory_is_true() {
         unsafe { critreg_learner_size(&config) }
     };
     let header = generated();
-    let (_, table) = header.split_once("forms  observations").unwrap();
+    let (_, table) = header.split_once("forms       observations").unwrap();
     let rows = table.lines().skip(1).map_while(|line| {
         let words = line.split_whitespace();
         let numbers: Vec<usize> = words.filter_map(|word| word.parse().ok()).collect();

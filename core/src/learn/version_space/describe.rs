@@ -15,7 +15,8 @@ use heapless::{Vec, VecView};
 /// Terms of one constraint.
 const TERMS: usize = 40;
 
-/// A constraint in words of the domain.
+/// A constraint in words of the domain. It is large, and so is written where it lies.
+#[derive(Default)]
 pub(super) struct Description {
     /// The terms of the bounds.
     pub(super) nodes: Vec<Node, TERMS>,
@@ -25,34 +26,35 @@ pub(super) struct Description {
     pub(super) evidence: Vec<Evidence, 2>,
 }
 
-/// Describes a constraint of a step, counted from zero.
-///
-/// # Errors
-/// [`Error::CapacityExceeded`] if it has more terms than a description has room for.
-pub(super) fn describe<R: Real>(
-    domain: &Domain<'_>,
-    forms: &Forms<'_, R>,
-    clause: &Clause<R>,
-    step: usize,
-) -> Result<Description, Error> {
-    let mut description = Description {
-        nodes: Vec::new(),
-        any_of: Vec::new(),
-        evidence: Vec::new(),
-    };
-    for bound in clause.bounds() {
-        let inequality = inequality(domain, forms, bound, &mut description.nodes)?;
-        let own = |value: R| bound.form.outward(value).to_f64();
-        // There is room for both bounds.
-        let _ = description.any_of.push(inequality);
-        let _ = description.evidence.push(Evidence {
-            step: step as u32 + 1,
-            feasible: own(bound.inner),
-            infeasible: own(bound.outer),
-            support: clause.support,
-        });
+impl Description {
+    /// Describes a constraint of a step, counted from zero.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if it has more terms than there is room for.
+    pub(super) fn describe<R: Real>(
+        &mut self,
+        domain: &Domain<'_>,
+        forms: &Forms<'_, R>,
+        clause: &Clause<R>,
+        step: usize,
+    ) -> Result<(), Error> {
+        self.nodes.clear();
+        self.any_of.clear();
+        self.evidence.clear();
+        for bound in clause.bounds() {
+            let inequality = inequality(domain, forms, bound, &mut self.nodes)?;
+            let own = |value: R| bound.form.outward(value).to_f64();
+            // There is room for both bounds.
+            let _ = self.any_of.push(inequality);
+            let _ = self.evidence.push(Evidence {
+                step: step as u32 + 1,
+                feasible: own(bound.inner),
+                infeasible: own(bound.outer),
+                support: clause.support,
+            });
+        }
+        Ok(())
     }
-    Ok(description)
 }
 
 #[inline(never)]

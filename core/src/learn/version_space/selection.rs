@@ -1,16 +1,17 @@
 //! Model selection: repairing hypotheses, and selecting the shortest.
 
 use super::committee::Committee;
-use super::describe;
+use super::describe::{self, Description};
 use super::forms::{Forms, StepView};
 use super::greedy::Randomisation;
 use super::hypothesis::Hypothesis;
 use super::improve::Objective;
-use super::{Certificate, VersionSpace};
+use super::{Certificate, Evidence, VersionSpace};
 use crate::domain::Domain;
+use crate::error::Error;
 use crate::random::Generator;
 use crate::real::Real;
-use crate::table::Blank;
+use crate::table::{Blank, Table};
 
 /// When the best hypotheses were selected last.
 #[derive(Clone, Copy, Debug, Default)]
@@ -127,41 +128,52 @@ impl<R: Real> VersionSpace<'_, R> {
     /// supports its constraints. One that finds no room is left out and counted.
     #[inline(never)]
     pub(super) fn rebuild_region(&mut self, domain: &Domain<'_>) {
-        let (forms, evidence) = (&self.forms, &mut self.evidence);
-        let describe =
-            |(step, clause): (usize, &_)| describe::describe(domain, forms, clause, step);
-        let best = self.committee.best().enumerate();
-        let strays = best.map(|(step, best)| best.strays(&StepView::new(forms, step)));
-        self.report.strays = strays.sum();
-        evidence.clear();
-        let mut old = self.region.formula().comparison();
-        let same = self
-            .committee
-            .best_clauses()
-            .map(describe)
-            .all(|described| {
-                described.is_ok_and(|new| {
-                    let noted = new.evidence.iter().try_for_each(|own| evidence.push(*own));
-                    noted.is_ok() && old.next_is(&new.nodes, &new.any_of)
-                })
-            });
-        if same && old.is_at_end() {
-            return;
+        self.report.strays = 0;
+        for (step, best) in self.committee.best().enumerate() {
+            self.report.strays += best.strays(&StepView::new(&self.forms, step));
         }
-        self.report.certificate = Certificate::default();
+        if !self.is_written(domain) {
+            self.report.certificate = Certificate::default();
+            self.write_region(domain);
+        }
+    }
+
+    /// Whether the region is that of the best hypotheses. Notes what supports its
+    /// constraints.
+    #[inline(never)]
+    fn is_written(&mut self, domain: &Domain<'_>) -> bool {
+        let mut new = Description::default();
+        let mut old = self.region.formula().comparison();
+        self.evidence.clear();
+        for (step, clause) in self.committee.best_clauses() {
+            let described = new.describe(domain, &self.forms, clause, step);
+            let noted = described.and_then(|()| note(&mut self.evidence, &new.evidence));
+            if noted.is_err() || !old.next_is(&new.nodes, &new.any_of) {
+                return false;
+            }
+        }
+        old.is_at_end()
+    }
+
+    #[inline(never)]
+    fn write_region(&mut self, domain: &Domain<'_>) {
+        let mut new = Description::default();
         self.report.constraints_left_out = 0;
-        evidence.clear();
-        let left_out = &mut self.report.constraints_left_out;
+        self.evidence.clear();
         self.region.rewrite(domain, |formula| {
-            for described in self.committee.best_clauses().map(describe) {
-                let added = described.and_then(|new| {
-                    formula.and(&new.nodes, &new.any_of)?;
-                    new.evidence.iter().try_for_each(|own| evidence.push(*own))
-                });
-                *left_out += usize::from(added.is_err());
+            for (step, clause) in self.committee.best_clauses() {
+                let described = new.describe(domain, &self.forms, clause, step);
+                let added = described
+                    .and_then(|()| formula.and(&new.nodes, &new.any_of))
+                    .and_then(|()| note(&mut self.evidence, &new.evidence));
+                self.report.constraints_left_out += usize::from(added.is_err());
             }
         });
     }
+}
+
+fn note(evidence: &mut Table<'_, Evidence>, own: &[Evidence]) -> Result<(), Error> {
+    own.iter().try_for_each(|own| evidence.push(*own))
 }
 
 /// Puts the shortest of several improved hypotheses in the place of the best of
