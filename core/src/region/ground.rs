@@ -99,10 +99,6 @@ impl<'a, R: Real> Grounded<'a, R> {
         slice(&self.region.formula, &self.scene, line, ends, &mut self.set)
     }
 
-    fn parameters(&self) -> &'a [Parameter<'a>] {
-        self.domain.parameters()
-    }
-
     /// Whether the region admits these parameters; one number each.
     ///
     /// # Errors
@@ -138,6 +134,10 @@ impl<'a, R: Real> Grounded<'a, R> {
 }
 
 impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
+    fn parameters(&self) -> &[Parameter<'_>] {
+        self.domain.parameters()
+    }
+
     fn count(&self) -> usize {
         self.parameters().len()
     }

@@ -6,7 +6,7 @@ use super::interval::IntervalSet;
 use super::lifted::Region;
 use super::parameters::{ParameterSet, Theta, Vector};
 use super::sample::{is_proven_empty, sample};
-use crate::domain::Domain;
+use crate::domain::{Domain, Parameter};
 use crate::error::Error;
 use crate::real::Real;
 use rand_core::Rng;
@@ -159,6 +159,11 @@ impl Part<'_> {
 }
 
 impl<R: Real> ParameterSet<R> for Intersection<'_, R> {
+    fn parameters(&self) -> &[Parameter<'_>] {
+        let first = self.parts.first();
+        first.map_or(&[], |part| part.domain.parameters())
+    }
+
     fn count(&self) -> usize {
         self.count
     }

@@ -1,7 +1,7 @@
 //! Sets of parameters, and what drawing from them needs.
 
 use super::interval::IntervalSet;
-use crate::domain::MAX_PARAMETERS;
+use crate::domain::{MAX_PARAMETERS, Parameter};
 use crate::error::Error;
 use crate::real::Real;
 
@@ -14,6 +14,9 @@ pub(super) type Vector<R> = [R; MAX_PARAMETERS];
 
 /// What a region admits in an instance, or several regions together.
 pub(super) trait ParameterSet<R: Real> {
+    /// The parameters of the action, with their ranges.
+    fn parameters(&self) -> &[Parameter<'_>];
+
     /// How many parameters the action has.
     fn count(&self) -> usize;
 

@@ -93,8 +93,9 @@ pub(super) fn sample<R: Real>(
         _ => sample_several(set, margin, rng)?.ok_or(Error::NoSample)?,
     };
     let mut theta = [0.0; MAX_PARAMETERS];
-    for (value, found) in theta.iter_mut().zip(found).take(set.count()) {
-        *value = found.to_f64();
+    for ((value, found), parameter) in theta.iter_mut().zip(found).zip(set.parameters()) {
+        // In single precision, an end of the range may be beyond it.
+        *value = Real::clamp(found.to_f64(), parameter.low, parameter.high);
     }
     Ok(theta)
 }

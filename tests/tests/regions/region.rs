@@ -4,9 +4,10 @@ use critreg::Error;
 use critreg::domain::{Domain, PointSet, Sample, Scene};
 use critreg::grammar::Formula;
 use critreg::random::generator;
-use critreg::region::{Region, SavedRegion};
+use critreg::region::{Intersection, Part, Region, SavedRegion};
 use critreg_tests::{arm, pick, text};
 use proptest::prelude::*;
+use std::f64::consts::PI;
 
 /// The text of a length over the pick domain.
 fn length() -> impl Strategy<Value = String> {
@@ -311,4 +312,39 @@ fn a_region_refuses_another_domain() {
     let domain = arm::domain();
     let drawn = region.sample::<f64>(&domain, &[0.0; 5], &mut generator(1));
     assert!(matches!(drawn, Err(Error::Mismatch(_))));
+}
+
+/// In single precision pi and a tenth are beyond themselves; what is drawn is not.
+#[test]
+fn draws_in_single_precision_stay_within_their_ranges() {
+    let ranges = "object mark { angle: angle } parameter yaw in [-pi, pi]: angle";
+    let texts = [
+        ranges.to_string(),
+        format!("{ranges} parameter r in [0, 0.1]: length"),
+    ];
+    for text in texts {
+        let domain = Domain::parse(&text).unwrap();
+        for (text, angle) in [
+            ("yaw >= mark.angle", PI - 6e-8),
+            ("yaw <= mark.angle", 6e-8 - PI),
+        ] {
+            let region = Region::parse(&domain, text).unwrap();
+            let part = Part {
+                region: &region,
+                domain: &domain,
+                instance: &[angle],
+            };
+            let intersection = [part, part];
+            let intersection = Intersection::<f32>::new(&intersection).unwrap();
+            for seed in 0..200 {
+                let alone = region.sample::<f32>(&domain, &[angle], &mut generator(seed));
+                let both = intersection.sample(&mut generator(seed));
+                for drawn in [alone, both] {
+                    let theta = &drawn.unwrap()[..domain.parameters().len()];
+                    let inside = region.contains::<f32>(&domain, &[angle], theta);
+                    assert_eq!(inside, Ok(true), "{text}: {theta:?}");
+                }
+            }
+        }
+    }
 }
