@@ -5,6 +5,8 @@
  * The planner's knowledge is the domain text below; whether a place works is told
  * by inverse kinematics and collision tests in C. A region is learned, another one
  * is written by hand, and draws from both are tried on other tables.
+ *
+ * Usage: own_domain [number of seeds]
  */
 #include <math.h>
 #include <stdio.h>
@@ -167,13 +169,15 @@ static const critreg_region *learn(uint64_t seed, int *calls)
     return region;
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
     static uint64_t memory[CRITREG_REGION_WORDS];
     critreg_region *by_hand;
     char text[8192], why[128];
-    int learned = 0, calls = 0;
-    uint64_t seed;
+    int learned = 0, calls = 0, seed;
+    int seeds = argc > 1 ? atoi(argv[1]) : SEEDS;
+    if (seeds < 1 || seeds > SEEDS)
+        return fprintf(stderr, "usage: own_domain [1 to %d seeds]\n", SEEDS), EXIT_FAILURE;
     if (critreg_check_region(DOMAIN, BY_HAND, why, sizeof why, NULL) != CRITREG_OK) {
         fprintf(stderr, "%s\n", why);
         return EXIT_FAILURE;
@@ -184,16 +188,16 @@ int main(void)
     printf("region by hand: %s\n", text);
     print_rate("region by hand", by_hand);
 
-    for (seed = 0; seed < SEEDS; seed++) {
-        const critreg_region *region = learn(seed, &calls);
+    for (seed = 0; seed < seeds; seed++) {
+        const critreg_region *region = learn((uint64_t)seed, &calls);
         if (region == NULL)
             continue;
         learned++;
         CHECK(critreg_region_format(region, text, sizeof text, NULL));
-        printf("region of seed %d: %s\n", (int)seed, text);
+        printf("region of seed %d: %s\n", seed, text);
         print_rate("learned region", region);
     }
     printf("seeds that learned a region: %d of %d, with %d calls of the simulator\n",
-           learned, SEEDS, calls);
+           learned, seeds, calls);
     return EXIT_SUCCESS;
 }
