@@ -21,7 +21,7 @@ impl<R: Real> BodyPair<R> {
 
     /// The relation where the first one's centre is this far from the second one's.
     pub(super) fn value(&self, difference: [R; 3]) -> R {
-        let mut first = self.first.clone();
+        let mut first = self.first;
         first.centre = difference;
         self.relation.value(&first, &self.second, self.dimensions)
     }
