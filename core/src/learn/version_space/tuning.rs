@@ -3,8 +3,9 @@
 //! Each has a name, a unit and a reason. They were chosen with `report -- pick`, `chain`,
 //! `interval`, `union`, `angles` and `synthetic` on seeds from 0 on, which no published
 //! figure uses. `report -- sensitivity` halves and doubles each, on other seeds, and prints
-//! how many regions are exact then: the table in `tests/README.md` shows how flat each
-//! optimum is.
+//! how many regions are exact then: the table in `tests/README.md` shows that every optimum
+//! is flat. What a form costs for its class was taken from a prototype's prices, in the same
+//! order: what is the same in every frame first.
 
 /// A number of [`Tuning`]: what half and twice as much of it is.
 trait Scale: Copy {
