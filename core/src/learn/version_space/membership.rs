@@ -26,6 +26,35 @@ impl<R: Real> VersionSpace<'_, R> {
     /// What the answers so far prove about a sample, whatever the region is. It looks
     /// at all forms and infeasible samples.
     ///
+    /// ```
+    /// use critreg::domain::Domain;
+    /// use critreg::learn::version_space::Membership;
+    /// use critreg::learn::*;
+    ///
+    /// critreg::room!(struct Room: f64, Capacity::new(1024, 64));
+    ///
+    /// let domain = Domain::parse(
+    ///     "object wall { x: length, y: length }
+    ///      parameter reach in [0, 4]: length
+    ///      point hand = world + (reach, 0)",
+    /// )?;
+    /// let problem = Problem::new(&domain, &[2.0, 0.0], 1)?;
+    /// let mut room = Room::new();
+    /// let config = Config { calls: 40, ..Config::default() };
+    /// let mut learner = VersionSpace::new(&domain, config, Room::CAPACITY, room.lend())?;
+    /// let works = |reach: f64| Outcome::from_feasible(reach <= 1.75);
+    /// learn_region(&mut learner, &problem, |_, query| Ok::<_, critreg::Error>(works(query.theta[0])))?;
+    /// let proven = |reach: f64| {
+    ///     let query = Query { instance: 0, theta: [reach, 0.0, 0.0, 0.0, 0.0, 0.0] };
+    ///     learner.membership(&problem, &query)
+    /// };
+    /// // Between two samples that worked, every bound admits it.
+    /// assert_eq!(proven(1.0)?, Membership::Feasible);
+    /// // Beyond samples that failed, no conjunction of bounds admits it for sure.
+    /// assert_ne!(proven(3.9)?, Membership::Feasible);
+    /// # Ok::<(), critreg::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::OutOfSequence`] before the first query; [`Error::Mismatch`] for
     /// another problem; [`Error::InvalidArgument`] for an instance that is none.

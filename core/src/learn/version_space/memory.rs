@@ -6,6 +6,9 @@ use crate::error::Error;
 use crate::grammar::MAX_CONSTRAINTS;
 use crate::learn::tables::memory;
 
+// What lies in the memory and what tells its lengths know each other: the entries of the
+// tables are types of the rooms that are made of them.
+
 /// Most observations: 2048, or 256 without the feature `many_observations`.
 pub const MAX_OBSERVATIONS: usize = 64 * MAX_WORDS;
 
