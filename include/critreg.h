@@ -39,10 +39,10 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     forms       observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            136872 bytes           34752 bytes
- *           4096           256            553096 bytes           46528 bytes
- *          10000           256           1166060 bytes           55368 bytes
- *          20000           256           2148560 bytes           70368 bytes
+ *           1024           128            137368 bytes           35240 bytes
+ *           4096           256            553592 bytes           47016 bytes
+ *          10000           256           1166556 bytes           55856 bytes
+ *          20000           256           2149056 bytes           70856 bytes
  *
  * Every further instance takes forms + 512 bytes more, every further step
  * 16 * forms + 5632 at most. On a small machine critreg_config.precision and

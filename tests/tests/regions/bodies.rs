@@ -619,6 +619,7 @@ fn nothing_that_can_be_met_is_called_empty() {
         let domain = Domain::parse(&domain_text).unwrap();
         let count = domain.parameters().len();
         let mut rng = generator(7);
+        let mut called_empty = 0;
         for text in TEXTS {
             let region = Region::parse(&domain, text).unwrap();
             for _ in 0..20 {
@@ -634,6 +635,7 @@ fn nothing_that_can_be_met_is_called_empty() {
                 if drawn != Err(Error::EmptyRegion) && grounded.is_proven_empty() != Ok(true) {
                     continue;
                 }
+                called_empty += 1;
                 for sample in 0..2000 {
                     let mut theta: Vec<f64> = (0..count)
                         .map(|_| uniform_in(&mut rng, -1.0, 1.0))
@@ -654,6 +656,7 @@ fn nothing_that_can_be_met_is_called_empty() {
                 }
             }
         }
+        assert!(called_empty >= 10, "{called_empty} of 80 with {count} parameters");
     }
 }
 
