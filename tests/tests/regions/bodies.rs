@@ -656,7 +656,10 @@ fn nothing_that_can_be_met_is_called_empty() {
                 }
             }
         }
-        assert!(called_empty >= 10, "{called_empty} of 80 with {count} parameters");
+        assert!(
+            called_empty >= 10,
+            "{called_empty} of 80 with {count} parameters"
+        );
     }
 }
 
