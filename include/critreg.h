@@ -415,6 +415,10 @@
  */
 #define CRITREG_FAILED_STEP(k) (-(critreg_outcome)(k))
 
+/** Left sides of a learner with room for so many forms; for CRITREG_LEARNER_WORDS_FOR. */
+#define CRITREG_LEARNER_LEFTS(forms)                                           \
+    (32 + 2 * ((forms) / 128 < 48 ? (size_t)(forms) / 128 : 48))
+
 /**
  * How many uint64_t make the memory of a learner with room for so many forms,
  * observations, problem instances and steps of an action sequence, for static
@@ -423,15 +427,16 @@
  */
 #define CRITREG_LEARNER_WORDS_FOR(forms, observations, instances, steps)  \
     ((CRITREG_LEARNER_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)   \
-      + ((size_t)(forms) / 8 + 64)                                        \
+      + ((size_t)(forms) / 8 + 64 + CRITREG_LEARNER_LEFTS(forms))              \
             * (CRITREG_FEATURE_BYTES + 8 * (size_t)(instances))                \
-      + (size_t)(forms)                                                   \
+      + ((forms) / 16 < 512 ? (size_t)(forms) / 16 : 512)                      \
+            * (CRITREG_SUM_BYTES + 8 * (size_t)(instances))                    \
+      + (size_t)(instances) * CRITREG_INSTANCE_BYTES                           \
+      + (size_t)(forms)                                                        \
             * (CRITREG_SPAN_BYTES * (size_t)(steps)                            \
                + 16 * (((size_t)(observations) + 63) / 64))                    \
       + (size_t)(observations)                                                 \
-            * (CRITREG_OBSERVATION_BYTES + 128                                 \
-               + 8 * ((forms) / 128 < 48 ? (size_t)(forms) / 128     \
-                                              : 48))                           \
+            * (CRITREG_OBSERVATION_BYTES + 8 * CRITREG_LEARNER_LEFTS(forms))   \
       + (size_t)(steps) * CRITREG_STEP_BYTES + 7) / 8)
 
 /**
@@ -496,7 +501,7 @@
  * Bytes of a learner that do not depend on its capacity, on a machine with
  * pointers of 32 bits; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_LEARNER_FIXED_BYTES 18944
+#define CRITREG_LEARNER_FIXED_BYTES 21504
 
 /**
  * Bytes of a region, on a machine with pointers of 32 bits; for
@@ -514,7 +519,7 @@
  * Bytes of a sample that was told, apart from its left sides; for
  * CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_OBSERVATION_BYTES 60
+#define CRITREG_OBSERVATION_BYTES 76
 
 /**
  * Bytes of a feature, apart from its values in the instances; for
@@ -526,6 +531,17 @@
  * Bytes of a form and step; for CRITREG_LEARNER_WORDS.
  */
 #define CRITREG_SPAN_BYTES 16
+
+/**
+ * Bytes of a form with a sum, apart from its values in the instances; for
+ * CRITREG_LEARNER_WORDS.
+ */
+#define CRITREG_SUM_BYTES 24
+
+/**
+ * Bytes of an instance, apart from values; for CRITREG_LEARNER_WORDS.
+ */
+#define CRITREG_INSTANCE_BYTES 16
 
 /**
  * Bytes of a step; for CRITREG_LEARNER_WORDS.
@@ -1002,6 +1018,15 @@ typedef struct critreg_config {
      * was built without one of them refuses it with CRITREG_INVALID_ARGUMENT.
      */
     uint32_t precision;
+    /**
+     * CRITREG_VERSION_SPACE: forms more to have room for whose right side is a sum of sizes
+     * ("board.half - item.half", "0.4 * stack.width"), whose left side is derived ("hand.x +
+     * hand.y", coordinates in the frame of an object, a parameter times a size), or that are
+     * conditions on the scene alone ("part.width <= gripper.open"). They are looked for
+     * where the others explain the outcomes at length or not at all. Default UINT32_MAX: a
+     * sixteenth of forms, at most 512. 0: none.
+     */
+    uint32_t sums;
 } critreg_config;
 
 /**

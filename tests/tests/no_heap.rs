@@ -65,6 +65,7 @@ fn learning_and_drawing() {
     let capacity = Capacity {
         forms: 4096,
         tracked: 4096,
+        sums: usize::MAX,
         observations: 128,
         instances: 4,
         steps: 1,

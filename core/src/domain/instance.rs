@@ -24,6 +24,25 @@ impl<'t> Domain<'t> {
         Some((object, attribute))
     }
 
+    /// Whether an attribute, by its place in an instance, is a coordinate or an angle that
+    /// places its object.
+    pub(crate) fn places(&self, slot: u8) -> bool {
+        self.axis_of(slot).is_some() || self.turns(slot)
+    }
+
+    /// Along which axis an attribute places its object.
+    pub(crate) fn axis_of(&self, slot: u8) -> Option<u8> {
+        let object = self.owner(slot)?;
+        let mut axes = (0u8..).zip(object.pose.position);
+        axes.find(|(_, own)| *own == Some(slot)).map(|(axis, _)| axis)
+    }
+
+    /// Whether an attribute is an angle that turns its object.
+    fn turns(&self, slot: u8) -> bool {
+        let object = self.owner(slot);
+        object.is_some_and(|object| object.pose.angles.contains(&Some(slot)))
+    }
+
     /// Checks that `instance` has one finite number per attribute; or NaN for all
     /// attributes of a member of a group, which then is absent.
     ///

@@ -100,6 +100,8 @@ pub struct Features<'m, R> {
     values: &'m mut [R],
     lhs: Blocks<2>,
     rhs: Blocks<MAX_COMPLEXITY>,
+    /// How many of the features may be those of the grammar; the others are derived ones.
+    room: usize,
 }
 
 impl<'m, R: Real> Features<'m, R> {
@@ -127,7 +129,7 @@ impl<'m, R: Real> Features<'m, R> {
         values: &'m mut [R],
     ) -> Result<Self, Error> {
         let mut features = Features::empty(nodes, values);
-        features.fill(domain, complexity)?;
+        features.fill(domain, complexity, 0)?;
         Ok(features)
     }
 
@@ -140,14 +142,22 @@ impl<'m, R: Real> Features<'m, R> {
             values,
             lhs: Default::default(),
             rhs: Default::default(),
+            room,
         }
     }
 
-    /// Enumerates the features of a domain up to a complexity, in place.
+    /// Enumerates the features of a domain up to a complexity, in place, and keeps room
+    /// for so many derived ones.
     ///
     /// # Errors
     /// Those of [`Features::enumerate`].
-    pub(crate) fn fill(&mut self, domain: &Domain<'_>, complexity: usize) -> Result<(), Error> {
+    pub(crate) fn fill(
+        &mut self,
+        domain: &Domain<'_>,
+        complexity: usize,
+        derived: usize,
+    ) -> Result<(), Error> {
+        self.room = self.nodes.capacity().saturating_sub(derived);
         for factor in FACTORS {
             self.nodes.push(Node::Number(factor))?;
         }
@@ -209,7 +219,7 @@ impl<'m, R: Real> Features<'m, R> {
     }
 
     fn enumerate_lhs(&mut self, domain: &Domain<'_>) {
-        let room = self.nodes.capacity() / 4;
+        let room = self.room / 4;
         let sampled = !domain.parameters().is_empty();
         for dimension in Dimension::ALL {
             let block = self.append(room, |visit| {
@@ -320,11 +330,17 @@ impl<'m, R: Real> Features<'m, R> {
         let mut block = Block::behind(self.nodes.len());
         each(&mut |node| {
             block.enumerated += 1;
-            if self.nodes.len() < room && self.nodes.push(node).is_ok() {
+            if self.nodes.len() < room.min(self.room) && self.nodes.push(node).is_ok() {
                 block.kept += 1;
             }
         });
         block
+    }
+
+    /// Appends a term behind the features of the grammar, if there is room.
+    pub(super) fn append_node(&mut self, node: Node) -> Option<NodeId> {
+        let id = feature_id(self.nodes.len());
+        self.nodes.push(node).is_ok().then_some(id)
     }
 
     /// Appends the features of a range, scaled by each factor, except plain numbers.
@@ -346,7 +362,7 @@ impl<'m, R: Real> Features<'m, R> {
     }
 
     fn push(&mut self, block: &mut Block, node: Node) {
-        if self.nodes.push(node).is_ok() {
+        if self.nodes.len() < self.room && self.nodes.push(node).is_ok() {
             block.kept += 1;
         }
     }

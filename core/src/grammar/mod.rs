@@ -5,9 +5,11 @@
 //! samples. A [`Formula`] is a statement made of constraints with `and`, `or` and
 //! `not`; it has a text form and is what regions are made of.
 
+mod derived;
 mod features;
 mod formula;
 mod hypotheses;
+mod kind;
 mod leaves;
 
 pub(crate) use features::feature_id;
@@ -18,3 +20,4 @@ pub use formula::{
 };
 pub use hypotheses::{Enumeration, Hypotheses, MAX_PAIR_COMPLEXITY};
 pub(crate) use hypotheses::{Run, bit};
+pub(crate) use kind::Kind;

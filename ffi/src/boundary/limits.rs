@@ -10,7 +10,7 @@ pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
 
 /// Bytes of a learner that do not depend on its capacity, on a machine with
 /// pointers of 32 bits; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_LEARNER_FIXED_BYTES: usize = 18_944;
+pub const CRITREG_LEARNER_FIXED_BYTES: usize = 21_504;
 
 /// Bytes of a region, on a machine with pointers of 32 bits; for
 /// CRITREG_REGION_WORDS.
@@ -22,7 +22,7 @@ pub const CRITREG_HANDLE_POINTERS: usize = 656;
 
 /// Bytes of a sample that was told, apart from its left sides; for
 /// CRITREG_LEARNER_WORDS.
-pub const CRITREG_OBSERVATION_BYTES: usize = 60;
+pub const CRITREG_OBSERVATION_BYTES: usize = 76;
 
 /// Bytes of a feature, apart from its values in the instances; for
 /// CRITREG_LEARNER_WORDS.
@@ -30,6 +30,13 @@ pub const CRITREG_FEATURE_BYTES: usize = 26;
 
 /// Bytes of a form and step; for CRITREG_LEARNER_WORDS.
 pub const CRITREG_SPAN_BYTES: usize = 16;
+
+/// Bytes of a form with a sum, apart from its values in the instances; for
+/// CRITREG_LEARNER_WORDS.
+pub const CRITREG_SUM_BYTES: usize = 24;
+
+/// Bytes of an instance, apart from values; for CRITREG_LEARNER_WORDS.
+pub const CRITREG_INSTANCE_BYTES: usize = 16;
 
 /// Bytes of a step; for CRITREG_LEARNER_WORDS.
 pub const CRITREG_STEP_BYTES: usize = 5_376;

@@ -128,6 +128,13 @@ pub struct critreg_config {
     /// What is computed with: CRITREG_F64, the default, or CRITREG_F32. A library that
     /// was built without one of them refuses it with CRITREG_INVALID_ARGUMENT.
     pub precision: u32,
+    /// CRITREG_VERSION_SPACE: forms more to have room for whose right side is a sum of sizes
+    /// ("board.half - item.half", "0.4 * stack.width"), whose left side is derived ("hand.x +
+    /// hand.y", coordinates in the frame of an object, a parameter times a size), or that are
+    /// conditions on the scene alone ("part.width <= gripper.open"). They are looked for
+    /// where the others explain the outcomes at length or not at all. Default UINT32_MAX: a
+    /// sixteenth of forms, at most 512. 0: none.
+    pub sums: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -157,6 +164,7 @@ fn defaults() -> critreg_config {
         progress_data: core::ptr::null_mut(),
         tracked: u32::MAX,
         precision: Precision::DEFAULT.number(),
+        sums: u32::MAX,
     }
 }
 
@@ -223,6 +231,7 @@ impl critreg_config {
             observations: observations as usize,
             instances: self.instances as usize,
             steps: self.steps as usize,
+            sums: self.sums as usize,
         }))
     }
 

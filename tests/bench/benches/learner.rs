@@ -37,6 +37,7 @@ fn room(forms: usize, observations: usize, instances: usize) -> VersionSpaceRoom
     VersionSpaceRoom::new(Capacity {
         forms,
         tracked: usize::MAX,
+        sums: usize::MAX,
         observations,
         instances,
         steps: 1,

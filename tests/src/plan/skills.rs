@@ -37,6 +37,7 @@ impl TrainingRoom {
             learner: VersionSpaceRoom::new(Capacity {
                 forms: 12_000,
                 tracked: usize::MAX,
+                sums: usize::MAX,
                 observations: calls.max(instances),
                 instances,
                 steps: 2,

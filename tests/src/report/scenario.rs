@@ -66,6 +66,7 @@ impl Scenario {
         Capacity {
             forms: 12_000,
             tracked: usize::MAX,
+            sums: usize::MAX,
             observations: self.calls as usize,
             instances: self.instances,
             steps: self.steps,

@@ -74,6 +74,7 @@ fn learned<R: Real>(seed: u64) -> Result<(f64, f64), Error> {
         instances: 4,
         steps: 1,
         tracked: 1024,
+        sums: usize::MAX,
     };
     let mut rng = generator(seed);
     let instances: Vec<_> = (0..12).map(|_| uniform_in(&mut rng, -1.0, 1.0)).collect();

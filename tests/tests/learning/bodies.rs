@@ -143,6 +143,7 @@ fn learned(task: &Task, seed: u64, is_aligned: bool) -> (String, [f64; 2]) {
     let mut room = VersionSpaceRoom::<f64>::new(Capacity {
         forms: 12_000,
         tracked: usize::MAX,
+        sums: usize::MAX,
         observations: CALLS as usize,
         instances: INSTANCES,
         steps: 1,

@@ -20,6 +20,7 @@ fn room(forms: usize, observations: u32, instances: usize) -> VersionSpaceRoom {
     VersionSpaceRoom::new(Capacity {
         forms,
         tracked: usize::MAX,
+        sums: usize::MAX,
         observations: observations as usize,
         instances,
         steps: 1,

@@ -42,6 +42,7 @@ fn capacity() -> Capacity {
     Capacity {
         forms: 12_000,
         tracked: usize::MAX,
+        sums: usize::MAX,
         observations: CALLS as usize,
         instances: INSTANCES,
         steps: 1,

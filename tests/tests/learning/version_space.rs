@@ -30,6 +30,7 @@ fn room(calls: u32, instances: usize, steps: usize) -> VersionSpaceRoom {
     VersionSpaceRoom::new(Capacity {
         forms: 4000,
         tracked: usize::MAX,
+        sums: usize::MAX,
         observations: calls as usize,
         instances,
         steps,
@@ -251,6 +252,7 @@ fn the_table_of_bytes_is_right() {
     let capacity = Capacity {
         forms: 4096,
         tracked: usize::MAX,
+        sums: usize::MAX,
         observations: 256,
         instances: 4,
         steps: 1,
@@ -277,6 +279,7 @@ fn learn_tracking(
     let mut room = VersionSpaceRoom::<f64>::new(Capacity {
         forms: 1024,
         tracked,
+        sums: usize::MAX,
         observations: scenario.calls as usize,
         instances: scenario.instances,
         steps: scenario.steps,

@@ -5,7 +5,7 @@ use super::clause::Clause;
 use super::forms::{Forms, tolerance};
 use super::name::{Name, Named, Scaled, clearance, simplest};
 use super::report::Evidence;
-use crate::domain::{Domain, Node, NodeId, Quantity, TermError, copy, intern};
+use crate::domain::{Domain, Node, NodeId, Quantity, TermError, intern};
 use crate::error::Error;
 use crate::grammar::{Comparison, Inequality};
 use crate::real::Real;
@@ -64,7 +64,7 @@ fn inequality<R: Real>(
     bound: &Bound<R>,
     nodes: &mut VecView<Node>,
 ) -> Result<Inequality, Error> {
-    let lhs = left_side(forms, bound, nodes)?;
+    let lhs = forms.write(&bound.form, nodes)?;
     let (value, named) = threshold(domain, forms, bound);
     let name = match named {
         Some(named) => Some(term(&named.name, nodes)?),
@@ -80,23 +80,6 @@ fn inequality<R: Real>(
         bound: value,
         name,
     })
-}
-
-fn left_side<R: Real>(
-    forms: &Forms<'_, R>,
-    bound: &Bound<R>,
-    nodes: &mut VecView<Node>,
-) -> Result<NodeId, TermError> {
-    let (left, right) = forms.terms(&bound.form);
-    let known = forms.features().nodes();
-    let left = copy(known, left, nodes)?;
-    match right {
-        None => Ok(left),
-        Some(right) => {
-            let right = copy(known, right, nodes)?;
-            intern(nodes, Node::Difference(left, right))
-        }
-    }
 }
 
 /// Whether the threshold of a bound may be zero: then it says no more than which of two
@@ -138,10 +121,10 @@ fn is_one_constant(named: &Named) -> bool {
 
 /// The points between which the form of a bound measures, if that is all it does.
 fn distance<R: Real>(forms: &Forms<'_, R>, bound: &Bound<R>) -> Option<[u8; 2]> {
-    let (left, right) = forms.terms(&bound.form);
+    let left = forms.left_term(&bound.form);
     match forms.features().nodes().get(usize::from(left.0))? {
         Node::Quantity(Quantity::Distance(_, a, b))
-        | Node::Extreme(_, Quantity::Distance(_, a, b)) => right.is_none().then_some([*a, *b]),
+        | Node::Extreme(_, Quantity::Distance(_, a, b)) => forms.is_left_side(&bound.form).then_some([*a, *b]),
         _ => None,
     }
 }
@@ -154,7 +137,7 @@ fn clearance_of<R: Real>(
     named: &Named,
 ) -> Option<Name> {
     let points = distance(forms, bound)?;
-    let (left, _) = forms.terms(&bound.form);
+    let left = forms.left_term(&bound.form);
     let dimension = domain.dimension(forms.features().nodes(), left)?;
     clearance(domain, dimension, named.name.value, |constant| {
         let owner = split_at_dot(constant.name).map(|(owner, _)| owner);
@@ -166,7 +149,7 @@ fn clearance_of<R: Real>(
 /// The simplest name between the ends of a bound.
 fn name<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, bound: &Bound<R>) -> Option<Named> {
     let (inner, outer) = (bound.inner, bound.outer);
-    let (left, _) = forms.terms(&bound.form);
+    let left = forms.left_term(&bound.form);
     let dimension = domain.dimension(forms.features().nodes(), left)?;
     let rounding = tolerance(inner);
     (outer - inner).is_finite().then(|| {
@@ -215,7 +198,7 @@ fn measures_from_corner<R: Real>(
     forms: &Forms<'_, R>,
     bound: &Bound<R>,
 ) -> bool {
-    let (left, _) = forms.terms(&bound.form);
+    let left = forms.left_term(&bound.form);
     let left = forms.features().nodes().get(usize::from(left.0));
     let Some(Node::Quantity(Quantity::Distance(_, a, b))) = left else {
         return false;

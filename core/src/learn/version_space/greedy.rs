@@ -1,6 +1,6 @@
 //! The greedy choice of the next bound of a hypothesis.
 
-use super::forms::{DirectedForm, SampleSet, StepView};
+use super::forms::{DirectedForm, SUM_LEVEL, SampleSet, StepView};
 use super::tuning::Tuning;
 use crate::real::Real;
 
@@ -39,6 +39,7 @@ impl Randomisation {
             0 => 0.0,
             1 => tuning.discount_attribute,
             2 => tuning.discount_distance,
+            SUM_LEVEL => tuning.discount_sum,
             _ => tuning.discount_scaled,
         };
         self.complexity_weight * discount

@@ -12,6 +12,9 @@ use crate::learn::tables::memory;
 /// Most observations: 2048, or 256 without the feature `many_observations`.
 pub const MAX_OBSERVATIONS: usize = 64 * MAX_WORDS;
 
+/// Most forms with a sum on the right.
+pub const MAX_SUMS: usize = 512;
+
 /// Most steps of a sequence of actions.
 pub(super) const MAX_STEPS: usize = 4;
 
@@ -23,7 +26,9 @@ pub(super) const MAX_STEPS: usize = 4;
 /// | `exclusions` | 16 per form tracked and 64 observations |
 /// | `features`, `rhs_features` | 18 per 8 forms, and 64 more |
 /// | `rhs_values` | 1 per form and instance, and 512 per instance |
-/// | `lhs_values`, `lhs` | [`Capacity::lhs`] times 8 per observation, and once more |
+/// | `lhs_values`, `lhs`, `lefts` | [`Capacity::lhs`] times 8 per observation, and twice more |
+/// | `sums`, `sum_values` | 24 per sum, and 8 per sum and instance |
+/// | `ends`, `failures` | 16 per instance and per observation |
 /// | `hypotheses` | 5120 per step |
 /// | `sample_sets` | 16 per step and 64 observations |
 /// | `region`, `evidence` | about 4200 |
@@ -42,6 +47,11 @@ pub struct Capacity {
     pub instances: usize,
     /// Steps of the sequence of actions that is learned about, at most 4.
     pub steps: usize,
+    /// Forms more whose right side is a sum of scaled features, or whose left side is
+    /// derived; as many as a sixteenth of `forms`, and [`MAX_SUMS`], at most. They are looked
+    /// for where the other forms explain the answers at length or not at all. With zero they
+    /// are not.
+    pub sums: usize,
 }
 
 impl Capacity {
@@ -53,19 +63,56 @@ impl Capacity {
             observations,
             instances: 16,
             steps: 1,
+            sums: usize::MAX,
         }
     }
 
     /// Features.
     pub const fn features(self) -> usize {
-        let wanted = 64 + self.forms / 8;
+        let wanted = 64 + self.forms / 8 + 2 * self.derived();
         if wanted < 60_000 { wanted } else { 60_000 }
     }
 
-    /// Left sides of forms.
-    pub const fn lhs(self) -> usize {
+    /// Left sides of the forms that are enumerated.
+    pub const fn plain(self) -> usize {
         let wanted = 16 + self.forms / 128;
-        if wanted < MAX_LHS { wanted } else { MAX_LHS }
+        if wanted < MAX_LHS / 2 {
+            wanted
+        } else {
+            MAX_LHS / 2
+        }
+    }
+
+    /// Left sides beside them that are derived for sums.
+    pub(super) const fn derived(self) -> usize {
+        if self.sums() == 0 { 0 } else { self.plain() }
+    }
+
+    /// Left sides of all forms.
+    pub const fn lhs(self) -> usize {
+        self.plain() + self.derived()
+    }
+
+    /// Forms with sums.
+    pub const fn sums(self) -> usize {
+        let (most, wanted) = (self.forms / 16, self.sums);
+        let most = if most < MAX_SUMS { most } else { MAX_SUMS };
+        if wanted < most { wanted } else { most }
+    }
+
+    /// Numbers that the right sides of sums have in all instances.
+    pub const fn sum_values(self) -> usize {
+        self.sums() * self.instances
+    }
+
+    /// Instances in the search for sums.
+    pub const fn ends(self) -> usize {
+        if self.sums() == 0 { 0 } else { self.instances }
+    }
+
+    /// Samples in the search for sums.
+    pub const fn failures(self) -> usize {
+        if self.sums() == 0 { 0 } else { self.observations }
     }
 
     /// Numbers that the right sides have in all instances.
@@ -174,6 +221,16 @@ macro_rules! version_space_tables {
             samples: $crate::learn::version_space::Sample, observations;
             /// Which features the right sides are.
             rhs_features: u16, features;
+            /// The left sides.
+            lefts: $crate::learn::version_space::Left, lhs;
+            /// Forms with a sum on the right.
+            sums: $crate::learn::version_space::Sum, sums;
+            /// Those right sides in the instances.
+            sum_values: $real, sum_values;
+            /// What the samples of the instances say about a left side.
+            ends: $crate::learn::version_space::End<$real>, ends;
+            /// The infeasible samples by instance.
+            failures: $crate::learn::version_space::Failure<$real>, failures;
         }
     };
 }

@@ -91,10 +91,10 @@ mod tuning;
 
 pub use certificate::Certificate;
 pub use config::Config;
-pub use forms::{Interval, Sample};
+pub use forms::{End, Failure, Interval, Left, Sample, Sum};
 pub use hypothesis::Hypothesis;
 pub use membership::Membership;
-pub use memory::{Capacity, MAX_OBSERVATIONS, Memory};
+pub use memory::{Capacity, MAX_OBSERVATIONS, MAX_SUMS, Memory};
 pub use report::{Evidence, Report};
 pub use tuning::Tuning;
 
@@ -414,8 +414,10 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
             observations: _,
             instances: _,
             steps,
+            sums: _,
         } = self.capacity;
-        for number in [self.config.seed, forms as u64, steps as u64] {
+        let sums = self.capacity.sums() as u64;
+        for number in [self.config.seed, forms as u64, steps as u64, sums] {
             digest.update(&number.to_le_bytes());
         }
         for number in [self.config.calls, self.config.certifying] {

@@ -2,7 +2,7 @@
 
 use super::committee::Committee;
 use super::describe::{self, Description};
-use super::forms::{Forms, StepView};
+use super::forms::{Effort, Forms, StepView};
 use super::greedy::Randomisation;
 use super::hypothesis::Hypothesis;
 use super::improve::Objective;
@@ -99,15 +99,50 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Selects the best hypotheses anew and makes the region of them.
     #[inline(never)]
     pub(super) fn reselect(&mut self, domain: &Domain<'_>) {
-        self.repair();
-        let (forms, committee) = (&self.forms, &mut self.committee);
-        select(domain, forms, committee, self.config.slack, &mut self.rng);
+        self.select(domain);
+        let tuning = self.config.tuning;
+        for (effort, short) in [
+            (Effort::Simple, tuning.short),
+            (Effort::Thorough, tuning.short_sums),
+        ] {
+            if self.find_sums(domain, effort, short) {
+                self.select(domain);
+            }
+        }
         self.selection = Selection {
             current: true,
             length: self.committee.length(&self.forms),
             samples: self.forms.samples(),
         };
         self.rebuild_region(domain);
+    }
+
+    /// Repairs the committee and puts the shortest hypotheses first.
+    #[inline(never)]
+    fn select(&mut self, domain: &Domain<'_>) {
+        self.repair();
+        let (forms, committee) = (&self.forms, &mut self.committee);
+        select(domain, forms, committee, self.config.slack, &mut self.rng);
+    }
+
+    /// Looks for sums for each step of which the best hypothesis is not short enough, in bits.
+    /// Tells whether there is such a step.
+    #[inline(never)]
+    fn find_sums(&mut self, domain: &Domain<'_>, effort: Effort, short: f64) -> bool {
+        if self.capacity.sums() == 0 {
+            return false;
+        }
+        let committee = &self.committee;
+        let mut found = false;
+        for (step, best) in committee.best().enumerate() {
+            if best.consistent && best.length(&self.forms) <= short {
+                continue;
+            }
+            found = true;
+            let used = |form| committee.uses(form);
+            self.forms.find_sums(domain, step, effort, &used);
+        }
+        found
     }
 
     /// Counts again how many samples support each constraint of the region.

@@ -88,6 +88,13 @@ tuning! {
     /// The same for a coordinate or a distance along an axis of the world, which say something
     /// else as soon as the scene is turned.
     world_class: f64 = 5.0,
+    /// Bits for a left side that is derived, or a condition on the scene.
+    derived: f64 = 2.0,
+    /// Up to how many bits an explanation is so short that no sums are looked for.
+    short: f64 = 30.0,
+    /// Up to how many bits an explanation with sums is so short that no more complex ones
+    /// are looked for.
+    short_sums: f64 = 45.0,
     /// Bits for an instance that strays from a bound.
     stray: f64 = 0.7,
     /// Bits for how far it strays, per range of the form.
@@ -119,6 +126,8 @@ tuning! {
     discount_distance: f64 = 0.15,
     /// The same for a scaled one.
     discount_scaled: f64 = 0.2,
+    /// The same for a sum.
+    discount_sum: f64 = 0.3,
     /// How much chance blurs what the greedy choice of a committee's member counts, as a
     /// share.
     committee_noise: f64 = 0.3,

@@ -128,6 +128,24 @@ impl Layout {
         }
     }
 
+    /// Says where the left sides of a dimension and complexity are, counted from zero, and how
+    /// many found no room.
+    pub(super) fn set_lhs(
+        &mut self,
+        complexity: usize,
+        dimension: Dimension,
+        range: Range<usize>,
+        left_out: u32,
+    ) {
+        let own = self.lhs.get_mut(dimension as usize);
+        if let Some(places) = own.and_then(|own| own.get_mut(complexity)) {
+            *places = Places::between(range.start, range.end);
+        }
+        if let Some(lost) = self.lhs_left_out.get_mut(dimension as usize) {
+            *lost += left_out;
+        }
+    }
+
     pub(super) fn has_lhs(&self, dimension: Dimension) -> bool {
         let own = self.lhs.get(dimension as usize);
         own.is_some_and(|own| own.iter().any(|places| places.len() > 0))

@@ -13,16 +13,24 @@
 mod exclusions;
 mod interval;
 mod layout;
+mod left;
 mod sample_set;
 mod scan;
+mod search;
 mod step;
+mod sums;
 mod update;
 mod values;
 
 pub use interval::Interval;
 pub(super) use layout::DirectedForm;
+pub use left::Left;
 pub(super) use sample_set::{MAX_WORDS, SampleSet};
+pub(super) use search::Effort;
+pub use search::{End, Failure};
 pub(super) use step::StepView;
+pub use sums::Sum;
+pub(super) use sums::SUM_LEVEL;
 
 use super::memory::{Capacity, Memory};
 use super::tuning::Tuning;
@@ -32,7 +40,7 @@ use crate::domain::{
 };
 use crate::error::Error;
 use crate::geometry::Relation;
-use crate::grammar::{FACTORS, Features, feature_id};
+use crate::grammar::{Features, feature_id};
 use crate::learn::{Problem, Query};
 use crate::real::Real;
 use crate::region::Theta;
@@ -40,10 +48,12 @@ use crate::table::{Blank, Table};
 use core::mem::take;
 use exclusions::Exclusions;
 use layout::{Layout, Places};
+use left::Tier;
+use sums::Sums;
 use values::Values;
 
-/// Most left sides.
-pub(super) const MAX_LHS: usize = 64;
+/// Most left sides, half of them derived ones.
+pub(super) const MAX_LHS: usize = 128;
 /// Levels of right sides, simple ones first: nothing, attributes and coordinates,
 /// distances and angles, scaled ones.
 const LEVELS: usize = 4;
@@ -83,8 +93,14 @@ pub(super) struct Forms<'m, R> {
     lhs_room: usize,
     /// Whether the domain has bodies.
     has_bodies: bool,
+    /// The left sides.
+    lefts: Table<'m, Left>,
     /// Which features the right sides are.
     rhs_features: Table<'m, u16>,
+    sums: Sums<'m, R>,
+    /// For the search for sums.
+    ends: &'m mut [End<R>],
+    failures: &'m mut [Failure<R>],
     values: Values<'m, R>,
     intervals: &'m mut [Interval<R>],
     exclusions: Exclusions<'m>,
@@ -105,6 +121,8 @@ impl<'m, R: Real> Forms<'m, R> {
         let sample_sets = take(&mut memory.sample_sets);
         intervals.fill(Interval::BLANK);
         sample_sets.fill(0);
+        let sums = take(&mut memory.sums);
+        sums.fill(Sum::BLANK);
         let exclusions = Exclusions::new(take(&mut memory.exclusions), capacity.tracked());
         Forms {
             tuning,
@@ -115,7 +133,16 @@ impl<'m, R: Real> Forms<'m, R> {
             },
             used: 0,
             tracked: capacity.tracked(),
-            lhs_room: capacity.lhs(),
+            lhs_room: capacity.plain(),
+            lefts: Table::new(take(&mut memory.lefts), "left sides of forms"),
+            sums: Sums {
+                slots: sums,
+                values: take(&mut memory.sum_values),
+                instances: capacity.instances,
+                first: capacity.forms,
+            },
+            ends: take(&mut memory.ends),
+            failures: take(&mut memory.failures),
             has_bodies: false,
             values: Values {
                 rhs: take(&mut memory.rhs_values),
@@ -137,22 +164,12 @@ impl<'m, R: Real> Forms<'m, R> {
     /// # Errors
     /// [`Error::CapacityExceeded`] if there is no room for any.
     pub(super) fn enumerate(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
-        self.features.fill(domain, COMPLEXITY)?;
+        let derived = 2 * (self.lefts.capacity() - self.lhs_room);
+        self.features.fill(domain, COMPLEXITY, derived)?;
         self.has_bodies = !domain.bodies().is_empty();
-        for (own, dimension) in self.layout.lhs.iter_mut().zip(Dimension::ALL) {
-            for (places, complexity) in own.iter_mut().zip(1..) {
-                let range = self.features.lhs(complexity, dimension);
-                // Left sides are the first features behind the factors.
-                let start = range.start.saturating_sub(FACTORS.len());
-                let len = range.len().min(self.lhs_room.saturating_sub(start));
-                *places = Places::between(start, start + len);
-                self.values.lhs_count += len;
-                let all = self.features.enumerated_lhs(complexity, dimension);
-                if let Some(lost) = self.layout.lhs_left_out.get_mut(dimension as usize) {
-                    *lost += u32::try_from(all).unwrap_or(u32::MAX) - len as u32;
-                }
-            }
-        }
+        self.add_plain_lefts(domain)?;
+        self.add_derived_lefts(domain);
+        self.values.lhs_count = self.lefts.len();
         Ok(())
     }
 
@@ -181,6 +198,7 @@ impl<'m, R: Real> Forms<'m, R> {
                 }
             }
         }
+        self.add_scene(problem);
         let rhs = core::mem::replace(&mut self.rhs_features, Table::new(&mut [], ""));
         let filled = self.fill_rows(problem, &mut |values, row| {
             for (slot, feature) in row.iter_mut().zip(rhs.as_slice()) {
@@ -246,6 +264,20 @@ impl<'m, R: Real> Forms<'m, R> {
         Ok(())
     }
 
+    /// Appends the attributes that are no right sides yet, for sums.
+    fn add_scene(&mut self, problem: &Problem<'_>) {
+        for place in 0..self.lefts.len() {
+            let scene = self.left(place).filter(|left| left.tier == Tier::Scene);
+            let Some(feature) = scene.map(|left| left.feature) else {
+                continue;
+            };
+            if self.is_new(problem.count(), usize::from(feature)) {
+                // One without room is no right side.
+                let _ = self.rhs_features.push(feature);
+            }
+        }
+    }
+
     /// Whether a right side differs from nothing and from the earlier ones by more
     /// than a constant.
     fn is_new(&self, count: usize, feature: usize) -> bool {
@@ -282,14 +314,25 @@ impl<'m, R: Real> Forms<'m, R> {
         &self.features
     }
 
-    /// The feature on the left, and on the right if there is one.
-    pub(super) fn terms(&self, form: &DirectedForm) -> (NodeId, Option<NodeId>) {
-        let rhs = self.rhs_features.as_slice().get(usize::from(form.rhs));
-        let rhs = rhs.copied().filter(|feature| *feature != NOTHING);
-        (
-            feature_id(usize::from(form.lhs) + FACTORS.len()),
-            rhs.map(NodeId),
-        )
+    /// The feature on the left.
+    pub(super) fn left_term(&self, form: &DirectedForm) -> NodeId {
+        let left = self.left(form.lhs.into());
+        NodeId(left.map_or(NOTHING, |left| left.feature))
+    }
+
+    /// The feature on the right, if it is one.
+    fn right_term(&self, form: &DirectedForm) -> Option<NodeId> {
+        let right = self.rhs_features.as_slice().get(usize::from(form.rhs));
+        let right = right.copied().filter(|feature| *feature != NOTHING);
+        right.filter(|_| form.level != SUM_LEVEL).map(NodeId)
+    }
+
+    /// Whether there is nothing on the right.
+    pub(super) fn is_left_side(&self, form: &DirectedForm) -> bool {
+        match self.sum(form) {
+            Some(sum) => !sum.terms.iter().any(sums::Term::is_some),
+            None => self.right_term(form).is_none(),
+        }
     }
 
     /// Evaluates the left sides at a sample.
@@ -298,9 +341,9 @@ impl<'m, R: Real> Forms<'m, R> {
         let theta = theta.map(R::from_f64);
         let mut sample: Point<'_, '_, R, R> = Point::blank(scene, &theta);
         sample.place_points();
-        let nodes = self.features.nodes().iter().skip(FACTORS.len());
-        for (value, node) in lhs.iter_mut().zip(nodes).take(self.values.lhs_count) {
-            *value = sample.node(*node, |_| R::ZERO);
+        let nodes = self.features.nodes();
+        for (value, left) in lhs.iter_mut().zip(self.lefts.as_slice()) {
+            *value = sample.measure(nodes, NodeId(left.feature));
         }
     }
 
@@ -316,9 +359,7 @@ impl<'m, R: Real> Forms<'m, R> {
         let theta = theta.map(R::from_f64);
         let mut sample: Point<'_, '_, R, R> = Point::blank(scene, &theta);
         sample.place_points();
-        let node = self.features.nodes().iter().skip(FACTORS.len());
-        let node = node.copied().nth(usize::from(form.lhs));
-        let lhs = node.map_or(R::NAN, |node| sample.node(node, |_| R::ZERO));
+        let lhs = sample.measure(self.features.nodes(), self.left_term(form));
         self.with_lhs(form, instance, lhs)
     }
 
@@ -350,12 +391,21 @@ impl<'m, R: Real> Forms<'m, R> {
     }
 
     fn with_lhs(&self, form: &DirectedForm, instance: usize, lhs: R) -> R {
-        let rhs = self.values.rhs_in(instance).get(usize::from(form.rhs));
-        form.outward(lhs - rhs.copied().unwrap_or(R::NAN))
+        let place = usize::from(form.rhs);
+        let rhs = match form.level {
+            SUM_LEVEL => self.sums.value(place, instance),
+            _ => self.values.rhs_in(instance).get(place).copied(),
+        };
+        form.outward(lhs - rhs.unwrap_or(R::NAN))
     }
 
     /// The value of a form from one direction at a sample that was taken in.
     pub(super) fn value_at(&self, form: &DirectedForm, sample: usize) -> R {
+        if form.level == SUM_LEVEL {
+            let lhs = self.values.lhs_at(form.lhs.into(), sample);
+            let instance = self.values.instance_of(sample);
+            return self.with_lhs(form, instance, lhs.unwrap_or(R::NAN));
+        }
         let value = self.values.at(form.lhs.into(), form.rhs.into(), sample);
         form.outward(value)
     }
@@ -384,16 +434,19 @@ impl<'m, R: Real> Forms<'m, R> {
     /// already, which direction, and which threshold of those that the samples tell
     /// apart.
     pub(super) fn bound_length(&self, form: &DirectedForm, named: bool) -> f64 {
-        let length = self.level_length.get(usize::from(form.level));
-        let length = length.copied().filter(|_| !named);
-        let length = length.map(|level| level + self.class_length(form));
+        let level = self.level_length.get(usize::from(form.level));
+        let length = match self.sum(form) {
+            Some(sum) => Some(f64::from(sum.length)),
+            None => level.map(|level| level + self.class_length(form)),
+        };
+        let length = length.filter(|_| !named);
         length.unwrap_or(self.tuning.form_again) + self.threshold_length()
     }
 
     /// What a form costs for what it measures, in bits.
     fn class_length(&self, form: &DirectedForm) -> f64 {
         let tuning = self.tuning;
-        let (lhs, _) = self.terms(form);
+        let lhs = self.left_term(form);
         let node = self.features.nodes().get(usize::from(lhs.0));
         let quantity = match node.filter(|_| self.has_bodies) {
             Some(Node::Quantity(quantity) | Node::Extreme(_, quantity)) => quantity,

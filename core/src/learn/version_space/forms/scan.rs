@@ -3,7 +3,7 @@
 
 use super::interval::excludes;
 use super::layout::Run;
-use super::{DirectedForm, Forms, Interval, SampleSet, StepView};
+use super::{DirectedForm, Forms, Interval, SUM_LEVEL, SampleSet, StepView};
 use crate::real::Real;
 use crate::table::Blank;
 
@@ -22,6 +22,12 @@ impl<R: Real> Forms<'_, R> {
                 visit(form.reversed());
             }
         }
+        if level >= SUM_LEVEL {
+            for form in self.sums.directed(true) {
+                visit(form);
+                visit(form.reversed());
+            }
+        }
     }
 
     /// Calls `visit` with every form of the same left side, from the same direction.
@@ -34,6 +40,8 @@ impl<R: Real> Forms<'_, R> {
         for run in runs.filter(|run| run.lhs == usize::from(form.lhs)) {
             run.directed(form.upper).for_each(&mut visit);
         }
+        let sums = self.sums.directed(form.upper);
+        sums.filter(|sum| sum.lhs == form.lhs).for_each(visit);
     }
 }
 
@@ -50,6 +58,14 @@ impl<R: Real> StepView<'_, '_, R> {
                 let (tracked, other) = run.split(self.forms.tracked);
                 self.look_up_counts(&tracked, upper, wanted, visit);
                 self.compute_counts(&other, upper, wanted, visit);
+            }
+            for form in self.forms.sums.directed(upper) {
+                let last = self.last_feasible(&form);
+                let excluded = |sample: &usize| excludes(last, self.value(&form, *sample), true);
+                let count = wanted.iter().filter(excluded).count();
+                if count > 0 {
+                    visit(form, count as u32);
+                }
             }
         }
     }

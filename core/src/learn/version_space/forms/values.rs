@@ -43,7 +43,7 @@ impl<R: Real> Values<'_, R> {
         sample.map_or(0, |s| s.instance as usize)
     }
 
-    fn lhs_at(&self, lhs: usize, sample: usize) -> Option<R> {
+    pub(super) fn lhs_at(&self, lhs: usize, sample: usize) -> Option<R> {
         self.lhs.get(sample * self.lhs_count + lhs).copied()
     }
 

@@ -1,0 +1,140 @@
+//! Left sides that are made of others: what no relation between two points says.
+
+use super::features::{Features, feature_id};
+use crate::domain::{Coordinate, Dimension, Domain, Node, NodeId, Point, Quantity};
+use crate::geometry::{Axis, Relation};
+use crate::real::Real;
+
+/// A function that takes the id of one left side after the other.
+pub(crate) type VisitId<'v> = &'v mut dyn FnMut(NodeId);
+
+impl<R: Real> Features<'_, R> {
+    /// Appends left sides that are derived from those of the grammar, as far as there is
+    /// room, and visits each:
+    ///
+    /// | left side | says |
+    /// |---|---|
+    /// | `x_in(hand, tray)`, `abs_x_in(hand, tray)` | where something is in the frame of what has a heading |
+    /// | `hand.x + hand.y`, `hand.x - hand.y` | on which side of a diagonal |
+    /// | `mu * stick.length` | a share of a size |
+    /// | `part.width` | a condition on the scene alone |
+    pub(crate) fn derive(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
+        if domain.parameters().is_empty() {
+            return;
+        }
+        self.derive_in_frames(domain, visit);
+        self.derive_diagonals(domain, visit);
+        self.derive_shares(domain, visit);
+        self.derive_scene(domain, visit);
+    }
+
+    /// Appends a left side, unless it is there already.
+    fn offer(&mut self, node: Node, visit: VisitId<'_>) {
+        if self.find(node).is_none()
+            && let Some(id) = self.operand(node)
+        {
+            visit(id);
+        }
+    }
+
+    /// Coordinates in the frame of what has a heading. Those of bodies are there already.
+    fn derive_in_frames(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
+        if cfg!(not(feature = "bodies")) {
+            return;
+        }
+        let axes = [Axis::X, Axis::Y, Axis::Z];
+        let axes = axes.get(..domain.axes()).unwrap_or(&axes);
+        let single = |point: &Point<'_>| point.member.is_none();
+        for (a, first) in (0u8..).zip(domain.points()).filter(|(_, p)| single(p)) {
+            for (b, second) in (0u8..).zip(domain.points()).filter(|(_, p)| single(p)) {
+                if a == b || !second.has_heading() || first.sampled == second.sampled {
+                    continue;
+                }
+                for relation in [Relation::Magnitude, Relation::Coordinate] {
+                    for axis in axes {
+                        let quantity = Quantity::Relation(relation(*axis), a, b);
+                        self.offer(Node::Quantity(quantity), visit);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Sums and differences of the coordinates of what moves, or, if no point does, of
+    /// parameters.
+    fn derive_diagonals(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
+        let mut moving = false;
+        for (index, point) in (0u8..).zip(domain.points()) {
+            if !point.sampled || point.member.is_some() || domain.axes() < 2 {
+                continue;
+            }
+            moving = true;
+            let along = |axis| Node::Quantity(Quantity::Coordinate(axis, index));
+            self.offer_pair([along(Coordinate::X), along(Coordinate::Y)], visit);
+        }
+        if moving {
+            return;
+        }
+        for (b, second) in (0u8..).zip(domain.parameters()) {
+            let before = domain.parameters().get(..usize::from(b)).unwrap_or(&[]);
+            for (a, first) in (0u8..).zip(before) {
+                if first.dimension == second.dimension {
+                    self.offer_pair([Node::Parameter(a), Node::Parameter(b)], visit);
+                }
+            }
+        }
+    }
+
+    fn offer_pair(&mut self, [a, b]: [Node; 2], visit: VisitId<'_>) {
+        if let (Some(a), Some(b)) = (self.operand(a), self.operand(b)) {
+            self.offer(Node::Sum(a, b), visit);
+            self.offer(Node::Difference(a, b), visit);
+        }
+    }
+
+    /// Parameters times sizes.
+    fn derive_shares(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
+        for (p, parameter) in (0u8..).zip(domain.parameters()) {
+            for (slot, dimension) in sizes(domain) {
+                let plain = [parameter.dimension, dimension].contains(&Dimension::None);
+                let node = Node::Quantity(Quantity::Attribute(slot));
+                if !plain || dimension == Dimension::Flag {
+                    continue;
+                }
+                if let (Some(a), Some(b)) =
+                    (self.operand(Node::Parameter(p)), self.operand(node))
+                {
+                    self.offer(Node::Product(a, b), visit);
+                }
+            }
+        }
+    }
+
+    /// Attributes, as conditions on the scene alone.
+    fn derive_scene(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
+        for (slot, _) in sizes(domain) {
+            let node = Node::Quantity(Quantity::Attribute(slot));
+            // It may be there as a right side.
+            if let Some(id) = self.operand(node) {
+                visit(id);
+            }
+        }
+    }
+
+    /// The id of a term, which is appended if it is not there; `None` without room.
+    fn operand(&mut self, node: Node) -> Option<NodeId> {
+        self.find(node).or_else(|| self.append_node(node))
+    }
+
+    fn find(&self, node: Node) -> Option<NodeId> {
+        let place = self.nodes().iter().position(|own| *own == node);
+        place.map(feature_id)
+    }
+}
+
+/// The attributes that do not place an object, except those of groups.
+fn sizes<'d>(domain: &'d Domain<'_>) -> impl Iterator<Item = (u8, Dimension)> + 'd {
+    let slots = (0u8..).zip(domain.slots());
+    let own = slots.filter(|(slot, (object, _))| object.member.is_none() && !domain.places(*slot));
+    own.map(|(slot, (_, attribute))| (slot, attribute.dimension))
+}

@@ -1,0 +1,59 @@
+//! What kind of number a feature is: finer than its dimension.
+
+use crate::domain::{Coordinate, Dimension, Domain, Node, NodeId, Quantity};
+
+/// What kind of number a feature is. A place is compared with another place of the same
+/// axis, so that nothing is compared that does not move with the scene; to it, sizes are
+/// added.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A coordinate, by the number of its axis.
+    Place(u8),
+    /// The sum, or else the difference, of two coordinates of a point.
+    Diagonal(bool),
+    /// A parameter that may be a place or a size.
+    Free,
+    /// The heading of something.
+    Heading,
+    /// A size, a distance, an angle between things or any other number.
+    Size(Dimension),
+    /// A number that none is compared with.
+    #[default]
+    Other,
+}
+
+impl Kind {
+    /// The kind of a feature.
+    pub(crate) fn of(domain: &Domain<'_>, nodes: &[Node], id: NodeId) -> Kind {
+        let Some(node) = nodes.get(usize::from(id.0)) else {
+            return Kind::Other;
+        };
+        let coordinate = |id: NodeId| match Kind::of(domain, nodes, id) {
+            Kind::Place(axis) => Some(axis),
+            _ => None,
+        };
+        let sized = || match domain.dimension(nodes, id) {
+            Some(dimension) => Kind::Size(dimension),
+            None => Kind::Other,
+        };
+        match *node {
+            Node::Quantity(Quantity::Coordinate(Coordinate::X, _)) => Kind::Place(0),
+            Node::Quantity(Quantity::Coordinate(Coordinate::Y, _)) => Kind::Place(1),
+            Node::Quantity(Quantity::Coordinate(Coordinate::Z, _)) => Kind::Place(2),
+            Node::Quantity(Quantity::Coordinate(Coordinate::Theta, _)) => Kind::Heading,
+            Node::Quantity(Quantity::Attribute(slot)) => match domain.axis_of(slot) {
+                Some(axis) => Kind::Place(axis),
+                None if domain.places(slot) => Kind::Heading,
+                None => sized(),
+            },
+            Node::Parameter(_) if sized() == Kind::Size(Dimension::Length) => Kind::Free,
+            Node::Sum(a, b) if coordinate(a).is_some() && coordinate(b).is_some() => {
+                Kind::Diagonal(true)
+            }
+            Node::Difference(a, b) if coordinate(a).is_some() && coordinate(b).is_some() => {
+                Kind::Diagonal(false)
+            }
+            _ => sized(),
+        }
+    }
+}

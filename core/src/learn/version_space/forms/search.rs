@@ -1,0 +1,514 @@
+//! The search for sums that explain much for their length.
+//!
+//! For each left side, direction and instance with feasible samples, the end of S of the
+//! *left side alone* is all that is needed of these: that of the form is the greatest of
+//! those ends minus the right side. So a form costs as much as there are instances and
+//! infeasible samples, and nothing is stored for it.
+
+use super::left::{Left, Tier};
+use super::sums::{Sum, TERMS, Term, right_side};
+use super::interval::excludes;
+use super::{Forms, NOTHING};
+use crate::domain::{Dimension, Domain, Node, NodeId, Quantity};
+use crate::grammar::Kind;
+use crate::real::Real;
+use crate::table::{Blank, move_last};
+use heapless::Vec;
+
+/// Sums that are offered of each left side and direction.
+const OF_EACH: usize = 6;
+/// Most columns that terms are made of.
+const MAX_COLUMNS: usize = 24;
+/// Most places that a right side begins with.
+const MAX_BASES: usize = 12;
+
+/// How far the search goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(in super::super) enum Effort {
+    /// Two terms with simple factors.
+    Simple,
+    /// Two terms with all factors of the grammar, or one with any factor in hundredths.
+    Thorough,
+}
+
+/// A factor in hundredths, and what it takes to name it, in bits.
+const FACTORS: [(i16, f32); 7] = [
+    (100, 1.0),
+    (50, 2.0),
+    (200, 3.5),
+    (25, 4.0),
+    (75, 4.0),
+    (150, 4.0),
+    (125, 4.5),
+];
+/// How many of them are simple.
+const SIMPLE: usize = 2;
+/// The same for any other factor: a multiple of one twentieth, or of one hundredth.
+const TWENTIETHS: f32 = 7.5;
+const HUNDREDTHS: f32 = 9.6;
+/// The greatest factor, in hundredths.
+const MOST: i16 = 200;
+
+/// What the samples of an instance say about a left side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End<R> {
+    /// The value farthest out at a feasible sample.
+    feasible: R,
+    /// Its infeasible samples, by their places among all.
+    first: u32,
+    count: u32,
+}
+
+impl<R: Real> Blank for End<R> {
+    const BLANK: Self = End {
+        feasible: R::NEG_INFINITY,
+        first: 0,
+        count: 0,
+    };
+}
+
+/// An infeasible sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Failure<R> {
+    /// The left side there.
+    value: R,
+    sample: u32,
+}
+
+impl<R: Real> Blank for Failure<R> {
+    const BLANK: Self = Failure {
+        value: R::ZERO,
+        sample: 0,
+    };
+}
+
+/// A right side that terms are made of.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    place: u16,
+    kind: Kind,
+    /// Whether it is a distance or the like, and not an attribute.
+    relation: bool,
+    /// What a place belongs to.
+    owner: Option<Owner>,
+}
+
+/// What a coordinate belongs to: an object, by its first number in an instance, or a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Owner {
+    Object(u8),
+    Point(u8),
+}
+
+/// The columns of a problem by what they are.
+struct Columns {
+    sizes: Vec<Column, MAX_COLUMNS>,
+    places: Vec<Column, MAX_BASES>,
+}
+
+/// Takes a right side and its length in bits.
+type Visit<'v> = &'v mut dyn FnMut([Term; TERMS], f32);
+
+impl<R: Real> Forms<'_, R> {
+    /// Looks for sums that exclude many infeasible samples of a step, and keeps the best,
+    /// beside those that are still `used`. Tells how many forms there were.
+    #[inline(never)]
+    pub(in super::super) fn find_sums(
+        &mut self,
+        domain: &Domain<'_>,
+        step: usize,
+        effort: Effort,
+        used: &dyn Fn(u32) -> bool,
+    ) -> u64 {
+        let first = self.sums.first;
+        for (slot, sum) in self.sums.slots.iter_mut().enumerate() {
+            sum.kept &= used((first + slot) as u32);
+        }
+        if self.sums.slots.is_empty() || !self.sort_failures(step) {
+            return 0;
+        }
+        let columns = self.columns(domain);
+        let mut tried = 0;
+        for lhs in 0..self.lefts.len() {
+            for upper in [true, false] {
+                if let Some(left) = self.lefts.as_slice().get(lhs).copied()
+                    && self.view_left(step, lhs, upper)
+                {
+                    let best = self.best_of(&left, lhs, upper, &columns, effort, &mut tried);
+                    self.keep(&best, used);
+                }
+            }
+        }
+        tried
+    }
+
+    /// Sorts the infeasible samples of a step by instance; `false` if there are none.
+    fn sort_failures(&mut self, step: usize) -> bool {
+        let infeasible = self.sample_set(step, false);
+        let mut next = 0;
+        for (instance, end) in self.ends.iter_mut().enumerate() {
+            let first = next;
+            for sample in infeasible.iter() {
+                if self.values.instance_of(sample) == instance
+                    && let Some(failure) = self.failures.get_mut(next)
+                {
+                    failure.sample = sample as u32;
+                    next += 1;
+                }
+            }
+            (end.first, end.count) = (first as u32, (next - first) as u32);
+        }
+        next > 0
+    }
+
+    /// Looks at the samples from one side of a left side; `false` if it says nothing.
+    fn view_left(&mut self, step: usize, lhs: usize, upper: bool) -> bool {
+        let feasible = self.sample_set(step, true);
+        let outward = |value: R| if upper { value } else { -value };
+        for end in self.ends.iter_mut() {
+            end.feasible = R::NEG_INFINITY;
+        }
+        let mut any = false;
+        for sample in feasible.iter() {
+            let value = outward(self.values.lhs_at(lhs, sample).unwrap_or(R::NAN));
+            let instance = self.values.instance_of(sample);
+            if let Some(end) = self.ends.get_mut(instance) {
+                end.feasible = end.feasible.max(value);
+                any = true;
+            }
+        }
+        for failure in self.failures.iter_mut() {
+            let value = self.values.lhs_at(lhs, failure.sample as usize);
+            failure.value = outward(value.unwrap_or(R::NAN));
+        }
+        any
+    }
+
+    /// The columns that right sides are made of, attributes first.
+    fn columns(&self, domain: &Domain<'_>) -> Columns {
+        let (mut sizes, mut places) = (Vec::new(), Vec::new());
+        let features = self.rhs_features.as_slice();
+        let nodes = self.features.nodes();
+        for relation in [false, true] {
+            for (place, feature) in (0u16..).zip(features) {
+                let node = nodes.get(usize::from(*feature));
+                let Some(node) = node.filter(|_| *feature != NOTHING) else {
+                    continue;
+                };
+                let column = Column {
+                    place,
+                    kind: Kind::of(domain, nodes, NodeId(*feature)),
+                    relation,
+                    owner: owner(domain, node),
+                };
+                if matches!(node, Node::Product(..)) || is_relation(node) != relation {
+                    continue;
+                }
+                // What finds no room is a distance, or one of very many attributes.
+                let _ = match column.kind {
+                    Kind::Place(_) => places.push(column).is_ok(),
+                    Kind::Size(_) => sizes.push(column).is_ok(),
+                    Kind::Diagonal(_) | Kind::Free | Kind::Heading | Kind::Other => true,
+                };
+            }
+        }
+        Columns { sizes, places }
+    }
+
+    /// The best sums of a left side from one direction, at which the ends and failures look.
+    #[inline(never)]
+    fn best_of(
+        &self,
+        left: &Left,
+        lhs: usize,
+        upper: bool,
+        columns: &Columns,
+        effort: Effort,
+        tried: &mut u64,
+    ) -> Vec<Sum, OF_EACH> {
+        let base = self.left_length(lhs, left, upper);
+        let mut best: Vec<Sum, OF_EACH> = Vec::new();
+        columns.for_each_right(left, effort, &mut |terms, length| {
+            *tried += 1;
+            let count = self.count_excluded(&terms, upper);
+            if count == 0 {
+                return;
+            }
+            let length = base + length;
+            insert(
+                &mut best,
+                Sum {
+                    terms,
+                    length,
+                    worth: count as f32 / length,
+                    lhs: lhs as u8,
+                    kept: true,
+                },
+            );
+        });
+        best
+    }
+
+    /// What it takes to name a left side and a direction, in bits.
+    fn left_length(&self, lhs: usize, left: &Left, upper: bool) -> f32 {
+        let tuning = self.tuning;
+        let alike = self.lefts.as_slice().iter();
+        let alike = alike.filter(|other| other.tier == left.tier).count();
+        let tier = match left.tier {
+            Tier::Plain => 0.0,
+            Tier::Scene | Tier::Derived => tuning.derived,
+        };
+        let form = super::DirectedForm {
+            lhs: lhs as u8,
+            upper,
+            ..super::DirectedForm::default()
+        };
+        let class = self.class_length(&form);
+        (1.0 + libm::log2(2.0 * alike as f64) + tier + class) as f32
+    }
+
+    /// How many infeasible samples a form excludes.
+    #[inline(always)]
+    fn count_excluded(&self, terms: &[Term; TERMS], upper: bool) -> u32 {
+        let right = |instance: usize| {
+            let right = right_side(terms, self.values.rhs_in(instance));
+            if upper { right } else { -right }
+        };
+        let mut last = R::NEG_INFINITY;
+        for (instance, end) in self.ends.iter().enumerate() {
+            if end.feasible > R::NEG_INFINITY {
+                last = last.max(end.feasible - right(instance));
+            }
+        }
+        let mut count = 0;
+        for (instance, end) in self.ends.iter().enumerate().filter(|(_, e)| e.count > 0) {
+            let right = right(instance);
+            let own = self.failures.iter().skip(end.first as usize);
+            for failure in own.take(end.count as usize) {
+                count += u32::from(excludes(last, failure.value - right, true));
+            }
+        }
+        count
+    }
+
+    /// Keeps sums in slots that are free or hold something worth less.
+    fn keep(&mut self, best: &[Sum], used: &dyn Fn(u32) -> bool) {
+        for (rank, sum) in best.iter().enumerate() {
+            // The best one of each left side comes before the second of any.
+            let sum = Sum {
+                worth: sum.worth - 1e3 * rank as f32,
+                ..*sum
+            };
+            let first = self.sums.first;
+            let same = |own: &Sum| own.kept && own.lhs == sum.lhs && own.terms == sum.terms;
+            if let Some(own) = self.sums.slots.iter_mut().find(|own| same(own)) {
+                own.worth = own.worth.max(sum.worth);
+                continue;
+            }
+            let slots = self.sums.slots.iter_mut().enumerate();
+            let free = slots.filter(|(slot, _)| !used((first + slot) as u32));
+            let worth = |own: &Sum| if own.kept { own.worth } else { f32::NEG_INFINITY };
+            let worst = free.reduce(|a, b| if worth(b.1) < worth(a.1) { b } else { a });
+            if let Some((slot, own)) = worst
+                && worth(own) < sum.worth
+            {
+                *own = sum;
+                self.sums.evaluate(slot, &self.values);
+            }
+        }
+    }
+}
+
+/// Inserts a sum before those that are worth less.
+fn insert(best: &mut Vec<Sum, OF_EACH>, sum: Sum) {
+    let place = best.iter().position(|other| sum.worth > other.worth);
+    let place = place.unwrap_or(best.len());
+    if best.is_full() {
+        if place == best.len() {
+            return;
+        }
+        best.pop();
+    }
+    if best.push(sum).is_ok() {
+        move_last(best, place);
+    }
+}
+
+/// Whether a feature is a distance, an angle or the like, and not an attribute.
+fn is_relation(node: &Node) -> bool {
+    !matches!(
+        node,
+        Node::Quantity(Quantity::Attribute(_) | Quantity::Coordinate(..))
+            | Node::Extreme(_, Quantity::Attribute(_))
+    )
+}
+
+/// What a coordinate belongs to; `None` for anything else.
+fn owner(domain: &Domain<'_>, node: &Node) -> Option<Owner> {
+    match *node {
+        Node::Quantity(Quantity::Attribute(slot)) => {
+            let (object, _) = domain.slot(slot)?;
+            Some(Owner::Object(object.first_slot))
+        }
+        Node::Quantity(Quantity::Coordinate(_, point)) => Some(Owner::Point(point)),
+        _ => None,
+    }
+}
+
+impl Columns {
+    /// Visits the right sides of a left side.
+    fn for_each_right(&self, left: &Left, effort: Effort, visit: Visit<'_>) {
+        self.for_each_base(left.kind, &mut |base, length| {
+            let sizes = |kind| self.sizes_like(kind);
+            match left.kind {
+                Kind::Size(dimension) => sizes(dimension).complete(left, effort, base, length, visit),
+                Kind::Place(_) | Kind::Diagonal(_) | Kind::Free => {
+                    sizes(Dimension::Length).complete(left, effort, base, length, visit);
+                }
+                Kind::Heading | Kind::Other => {}
+            }
+        });
+    }
+
+    /// Visits what a right side begins with: nothing, or a place on the same axis; for a
+    /// diagonal, the same diagonal of one object.
+    fn for_each_base(&self, kind: Kind, visit: &mut dyn FnMut([Term; 2], f32)) {
+        let one = |column: &Column, hundredths| Term {
+            column: column.place,
+            hundredths,
+        };
+        visit([Term::NONE; 2], 0.0);
+        let length = 1.0 + libm::log2f(1.0 + self.places.len() as f32);
+        match kind {
+            Kind::Place(_) | Kind::Free => {
+                for place in &self.places {
+                    if kind == Kind::Free || place.kind == kind {
+                        visit([one(place, 100), Term::NONE], length);
+                    }
+                }
+            }
+            Kind::Diagonal(plus) => {
+                let along = |axis| self.places.iter().filter(move |p| p.kind == Kind::Place(axis));
+                let second = if plus { 100 } else { -100 };
+                for x in along(0) {
+                    for y in along(1).filter(|y| y.owner == x.owner) {
+                        visit([one(x, 100), one(y, second)], length);
+                    }
+                }
+            }
+            Kind::Heading | Kind::Size(_) | Kind::Other => {}
+        }
+    }
+
+    fn sizes_like(&self, dimension: Dimension) -> Sizes<'_> {
+        let own = |column: &&Column| column.kind == Kind::Size(dimension);
+        let all = self.sizes.iter().filter(own);
+        let relations = all.clone().filter(|column| column.relation).count();
+        Sizes {
+            columns: &self.sizes,
+            dimension,
+            relations,
+            attributes: all.count() - relations,
+        }
+    }
+}
+
+/// By what a term may be multiplied.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Factors {
+    /// One and a half.
+    Simple,
+    /// Those of the grammar.
+    Grammar,
+    /// Any number of hundredths.
+    Any,
+}
+
+/// The sizes of one dimension.
+struct Sizes<'c> {
+    columns: &'c [Column],
+    dimension: Dimension,
+    attributes: usize,
+    relations: usize,
+}
+
+impl Sizes<'_> {
+    /// Visits what a right side that begins like this may go on with.
+    fn complete(
+        &self,
+        left: &Left,
+        effort: Effort,
+        [base, second]: [Term; 2],
+        length: f32,
+        visit: Visit<'_>,
+    ) {
+        let diagonal = second.is_some();
+        // Without terms, or with a place alone, plain left sides are forms already.
+        if left.tier != Tier::Plain || diagonal {
+            visit([base, second, Term::NONE], length);
+        }
+        let with = |first: Term, rest: Term| match (base.is_some(), diagonal) {
+            (false, _) => [first, rest, Term::NONE],
+            (true, false) => [base, first, rest],
+            (true, true) => [base, second, first],
+        };
+        let any = match effort {
+            Effort::Simple => Factors::Grammar,
+            Effort::Thorough => Factors::Any,
+        };
+        self.for_each_term(any, &mut |_, first, cost| {
+            visit(with(first, Term::NONE), length + cost);
+        });
+        let (pairs, factors) = match (left.tier, effort) {
+            (Tier::Plain, Effort::Simple) | (Tier::Derived, Effort::Thorough) => (true, Factors::Simple),
+            (Tier::Plain, Effort::Thorough) => (true, Factors::Grammar),
+            (Tier::Scene, _) | (Tier::Derived, Effort::Simple) => (false, Factors::Simple),
+        };
+        if diagonal || !pairs {
+            return;
+        }
+        self.for_each_term(factors, &mut |index, first, cost| {
+            self.for_each_term(factors, &mut |other, rest, more| {
+                if other > index {
+                    visit(with(first, rest), length + cost + more);
+                }
+            });
+        });
+    }
+
+    /// Visits the terms of all columns with some factors, each with its length.
+    fn for_each_term(&self, factors: Factors, visit: &mut dyn FnMut(usize, Term, f32)) {
+        let columns = self.columns.iter().enumerate();
+        for (index, column) in columns.filter(|(_, c)| c.kind == Kind::Size(self.dimension)) {
+            let count = match column.relation {
+                true => 2 * self.relations,
+                false => self.attributes,
+            };
+            let name = 2.0 + libm::log2f(count as f32);
+            let mut term = |hundredths: i16, bits: f32| {
+                for hundredths in [hundredths, -hundredths] {
+                    let term = Term {
+                        column: column.place,
+                        hundredths,
+                    };
+                    visit(index, term, name + bits);
+                }
+            };
+            let simple = match factors {
+                Factors::Simple => SIMPLE,
+                Factors::Grammar | Factors::Any => FACTORS.len(),
+            };
+            for (hundredths, bits) in FACTORS.iter().take(simple) {
+                term(*hundredths, *bits);
+            }
+            let fine = (1..=MOST).filter(|h| !FACTORS.iter().any(|(f, _)| f == h));
+            for hundredths in fine.filter(|_| factors == Factors::Any) {
+                let bits = match hundredths % 5 {
+                    0 => TWENTIETHS,
+                    _ => HUNDREDTHS,
+                };
+                term(hundredths, bits);
+            }
+        }
+    }
+}

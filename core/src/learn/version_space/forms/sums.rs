@@ -1,0 +1,170 @@
+//! Forms whose right side is a sum of scaled features: `left - (a + 0.5 * b - c)`.
+//!
+//! There are too many of them to keep. Where the simple forms explain the answers at
+//! length or not at all, a search (see [`search`](super::search)) goes through them
+//! and keeps those that explain most for their length, in a small table. From then on they
+//! are forms like all others.
+
+use super::{DirectedForm, Forms, NOTHING, Values};
+use crate::domain::{Node, NodeId, TermError, copy, intern};
+use crate::real::Real;
+use crate::table::Blank;
+use heapless::VecView;
+
+/// Most terms on the right: a place and two sizes.
+pub(super) const TERMS: usize = 3;
+
+/// A level of right sides behind all others.
+pub(in super::super) const SUM_LEVEL: u8 = super::LEVELS as u8;
+
+/// A right side, by its column among the values of right sides, times a factor.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Term {
+    pub(super) column: u16,
+    /// The factor times one hundred; zero for no term.
+    pub(super) hundredths: i16,
+}
+
+impl Term {
+    pub(super) const NONE: Term = Term {
+        column: NOTHING,
+        hundredths: 0,
+    };
+
+    pub(super) fn is_some(&self) -> bool {
+        self.hundredths != 0
+    }
+
+    pub(super) fn factor(self) -> f64 {
+        f64::from(self.hundredths) / 100.0
+    }
+}
+
+/// A form with a sum on the right.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sum {
+    pub(super) terms: [Term; TERMS],
+    /// What it takes to name it and a direction, in bits.
+    pub(super) length: f32,
+    /// How much it explained for its length when it was found.
+    pub(super) worth: f32,
+    pub(super) lhs: u8,
+    /// Whether it is kept: whether there is something in this slot.
+    pub(super) kept: bool,
+}
+
+impl Blank for Sum {
+    const BLANK: Self = Sum {
+        terms: [Term::NONE; TERMS],
+        length: 0.0,
+        worth: 0.0,
+        lhs: 0,
+        kept: false,
+    };
+}
+
+/// The sums that are kept, and their values.
+#[derive(Debug)]
+pub(super) struct Sums<'m, R> {
+    pub(super) slots: &'m mut [Sum],
+    /// For each slot, the right side in each instance.
+    pub(super) values: &'m mut [R],
+    pub(super) instances: usize,
+    /// Forms of all slots stand behind so many others.
+    pub(super) first: usize,
+}
+
+impl<R: Real> Sums<'_, R> {
+    pub(super) fn capacity(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// The right side of a sum in an instance.
+    #[inline(always)]
+    pub(super) fn value(&self, slot: usize, instance: usize) -> Option<R> {
+        self.values.get(slot * self.instances + instance).copied()
+    }
+
+    /// The sums that are kept, from one direction.
+    pub(super) fn directed(&self, upper: bool) -> impl Iterator<Item = DirectedForm> {
+        let kept = (0u16..)
+            .zip(self.slots.iter())
+            .filter(|(_, sum)| sum.kept);
+        kept.map(move |(slot, sum)| DirectedForm {
+            index: self.first as u32 + u32::from(slot),
+            rhs: slot,
+            lhs: sum.lhs,
+            level: SUM_LEVEL,
+            upper,
+        })
+    }
+
+    /// Evaluates the right side of a slot in all instances.
+    pub(super) fn evaluate(&mut self, slot: usize, values: &Values<'_, R>) {
+        let Some(sum) = self.slots.get(slot) else {
+            return;
+        };
+        let own = self.values.chunks_exact_mut(self.instances.max(1));
+        for (instance, value) in own.into_iter().nth(slot).into_iter().flatten().enumerate() {
+            *value = right_side(&sum.terms, values.rhs_in(instance));
+        }
+    }
+}
+
+/// The value of a sum, where those of all right sides are in a row.
+#[inline(always)]
+pub(super) fn right_side<R: Real>(terms: &[Term; TERMS], row: &[R]) -> R {
+    terms.iter().fold(R::ZERO, |sum, term| {
+        match row.get(usize::from(term.column)) {
+            Some(value) if term.is_some() => sum + *value * R::from_f64(term.factor()),
+            _ => sum,
+        }
+    })
+}
+
+impl<R: Real> Forms<'_, R> {
+    /// The sum that is the right side of a form, if it is one.
+    pub(super) fn sum(&self, form: &DirectedForm) -> Option<&Sum> {
+        let slot = (form.level == SUM_LEVEL).then_some(usize::from(form.rhs))?;
+        self.sums.slots.get(slot)
+    }
+
+    /// Writes what a form compares with its threshold: its left side minus its right side.
+    ///
+    /// # Errors
+    /// [`TermError`].
+    pub(in super::super) fn write(
+        &self,
+        form: &DirectedForm,
+        nodes: &mut VecView<Node>,
+    ) -> Result<NodeId, TermError> {
+        let known = self.features.nodes();
+        let mut written = copy(known, self.left_term(form), nodes)?;
+        let Some(sum) = self.sum(form) else {
+            return match self.right_term(form) {
+                None => Ok(written),
+                Some(right) => {
+                    let right = copy(known, right, nodes)?;
+                    intern(nodes, Node::Difference(written, right))
+                }
+            };
+        };
+        for term in sum.terms.iter().filter(|term| term.is_some()) {
+            let feature = self.rhs_features.as_slice().get(usize::from(term.column));
+            let feature = NodeId(feature.copied().ok_or(TermError::Missing)?);
+            let mut right = copy(known, feature, nodes)?;
+            let factor = term.factor().abs();
+            if factor != 1.0 {
+                let factor = intern(nodes, Node::Number(factor))?;
+                right = intern(nodes, Node::Product(factor, right))?;
+            }
+            let node = if term.hundredths > 0 {
+                Node::Difference(written, right)
+            } else {
+                Node::Sum(written, right)
+            };
+            written = intern(nodes, node)?;
+        }
+        Ok(written)
+    }
+}
