@@ -34,7 +34,8 @@ impl<'t> Domain<'t> {
     pub(crate) fn axis_of(&self, slot: u8) -> Option<u8> {
         let object = self.owner(slot)?;
         let mut axes = (0u8..).zip(object.pose.position);
-        axes.find(|(_, own)| *own == Some(slot)).map(|(axis, _)| axis)
+        axes.find(|(_, own)| *own == Some(slot))
+            .map(|(axis, _)| axis)
     }
 
     /// Whether an attribute is an angle that turns its object.

@@ -101,9 +101,7 @@ impl<R: Real> Features<'_, R> {
                 if !plain || dimension == Dimension::Flag {
                     continue;
                 }
-                if let (Some(a), Some(b)) =
-                    (self.operand(Node::Parameter(p)), self.operand(node))
-                {
+                if let (Some(a), Some(b)) = (self.operand(Node::Parameter(p)), self.operand(node)) {
                     self.offer(Node::Product(a, b), visit);
                 }
             }

@@ -83,7 +83,7 @@ impl<'m, R: Real> Committee<'m, R> {
 
     /// How the members vote on a sample at which forms have these values. The best
     /// hypotheses vote only if they agree with every answer: one that can bend to an answer
-    /// would ask for it again.
+    /// would ask for it again. The others vote only if they are rivals of the best.
     pub(super) fn vote(&self, value: impl Fn(&Bound<R>) -> R) -> Votes {
         let half = R::from_f64(0.5);
         let holds = |bound: &Bound<R>| bound.position(value(bound)) < half;
@@ -92,16 +92,18 @@ impl<'m, R: Real> Committee<'m, R> {
             clauses.all(|clause| clause.bounds().any(holds))
         };
         let strained = self.best_bounds().any(|(_, bound)| bound.strain > R::ZERO);
-        let voters = usize::from(strained)..MEMBERS;
-        let all = voters.len();
-        let in_favour = voters.filter(|member| {
-            let mut own = self.hypotheses.iter().skip(*member).step_by(MEMBERS);
-            own.all(agrees)
-        });
-        let in_favour = in_favour.count();
-        Votes {
-            in_favour,
-            against: all - in_favour,
+        let (mut in_favour, mut against) = (0, 0);
+        for member in usize::from(strained)..MEMBERS {
+            let own = || self.hypotheses.iter().skip(member).step_by(MEMBERS);
+            if member > 0 && !own().all(|hypothesis| hypothesis.rival) {
+                continue;
+            }
+            if own().all(agrees) {
+                in_favour += 1;
+            } else {
+                against += 1;
+            }
         }
+        Votes { in_favour, against }
     }
 }

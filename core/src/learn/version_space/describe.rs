@@ -124,7 +124,9 @@ fn distance<R: Real>(forms: &Forms<'_, R>, bound: &Bound<R>) -> Option<[u8; 2]> 
     let left = forms.left_term(&bound.form);
     match forms.features().nodes().get(usize::from(left.0))? {
         Node::Quantity(Quantity::Distance(_, a, b))
-        | Node::Extreme(_, Quantity::Distance(_, a, b)) => forms.is_left_side(&bound.form).then_some([*a, *b]),
+        | Node::Extreme(_, Quantity::Distance(_, a, b)) => {
+            forms.is_left_side(&bound.form).then_some([*a, *b])
+        }
         _ => None,
     }
 }

@@ -36,6 +36,8 @@ pub struct Hypothesis<R> {
     pub(super) clauses: Vec<Clause<R>, MAX_CLAUSES>,
     /// Whether it excludes all infeasible samples, and, but for strays, no feasible one.
     pub(super) consistent: bool,
+    /// Whether it is so short that it may be as true as the best one: others have no vote.
+    pub(super) rival: bool,
 }
 
 impl<R> Blank for Hypothesis<R> {
@@ -43,6 +45,7 @@ impl<R> Blank for Hypothesis<R> {
     const BLANK: Self = Hypothesis {
         clauses: Vec::new(),
         consistent: true,
+        rival: true,
     };
 }
 
@@ -50,7 +53,7 @@ impl<R: Real> Hypothesis<R> {
     /// Makes it admit everything.
     pub(super) fn clear(&mut self) {
         self.clauses.clear();
-        self.consistent = true;
+        (self.consistent, self.rival) = (true, true);
     }
 
     /// Makes it the same as another, where it lies.
@@ -228,6 +231,12 @@ impl<R: Real> Hypothesis<R> {
         };
         let admitted = view.infeasible.iter().filter(admits).count();
         admitted + view.feasible.iter().filter(|s| !admits(s)).count()
+    }
+
+    /// Whether samples stray from its bounds.
+    pub(super) fn is_strained(&self) -> bool {
+        let mut bounds = self.clauses.iter().flat_map(Clause::bounds);
+        bounds.any(|bound| bound.strain > R::ZERO)
     }
 
     /// The width of all gaps together.

@@ -112,7 +112,11 @@ impl Capacity {
 
     /// Samples in the search for sums.
     pub const fn failures(self) -> usize {
-        if self.sums() == 0 { 0 } else { self.observations }
+        if self.sums() == 0 {
+            0
+        } else {
+            self.observations
+        }
     }
 
     /// Numbers that the right sides have in all instances.

@@ -31,14 +31,16 @@ impl<R: Real> VersionSpace<'_, R> {
     #[inline(never)]
     pub(super) fn repair(&mut self) {
         let tuning = self.config.tuning;
-        for (step, (_, others)) in self.committee.steps_mut() {
+        for (step, (best, others)) in self.committee.steps_mut() {
             let view = StepView::new(&self.forms, step);
+            let most = best.length(&self.forms) + tuning.rival;
             for (member, hypothesis) in others.iter_mut().enumerate() {
                 hypothesis.refit(&view, 0.0);
                 if !hypothesis.consistent {
                     let randomisation = Randomisation::of_member(member + 1, tuning);
                     hypothesis.cover(&view, randomisation, 0.0, &mut self.rng);
                 }
+                hypothesis.rival = hypothesis.length(&self.forms) <= most;
             }
         }
     }
@@ -125,7 +127,8 @@ impl<R: Real> VersionSpace<'_, R> {
         select(domain, forms, committee, self.config.slack, &mut self.rng);
     }
 
-    /// Looks for sums for each step of which the best hypothesis is not short enough, in bits.
+    /// Looks for sums for each step of which the best hypothesis is not short enough, in bits,
+    /// or samples stray from it.
     /// Tells whether there is such a step.
     #[inline(never)]
     fn find_sums(&mut self, domain: &Domain<'_>, effort: Effort, short: f64) -> bool {
@@ -135,7 +138,8 @@ impl<R: Real> VersionSpace<'_, R> {
         let committee = &self.committee;
         let mut found = false;
         for (step, best) in committee.best().enumerate() {
-            if best.consistent && best.length(&self.forms) <= short {
+            let agrees = best.consistent && !best.is_strained();
+            if agrees && best.length(&self.forms) <= short {
                 continue;
             }
             found = true;

@@ -134,6 +134,9 @@ tuning! {
     /// How much more every other member discounts complex forms, so that chance chooses among
     /// the few simple ones.
     committee_plainness: f64 = 4.0,
+    /// By how many bits a member of the committee may be longer than the best hypothesis to
+    /// have a vote: one of 10 more is a thousand times less likely.
+    rival: f64 = 10.0,
     /// Share of what a clause alone excludes that its replacement must exclude at least.
     replacement: f64 = 0.6,
 

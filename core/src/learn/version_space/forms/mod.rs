@@ -29,8 +29,8 @@ pub(super) use sample_set::{MAX_WORDS, SampleSet};
 pub(super) use search::Effort;
 pub use search::{End, Failure};
 pub(super) use step::StepView;
-pub use sums::Sum;
 pub(super) use sums::SUM_LEVEL;
+pub use sums::Sum;
 
 use super::memory::{Capacity, Memory};
 use super::tuning::Tuning;

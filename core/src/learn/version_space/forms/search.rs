@@ -5,9 +5,9 @@
 //! those ends minus the right side. So a form costs as much as there are instances and
 //! infeasible samples, and nothing is stored for it.
 
+use super::interval::excludes;
 use super::left::{Left, Tier};
 use super::sums::{Sum, TERMS, Term, right_side};
-use super::interval::excludes;
 use super::{Forms, NOTHING};
 use crate::domain::{Dimension, Domain, Node, NodeId, Quantity};
 use crate::grammar::Kind;
@@ -307,7 +307,13 @@ impl<R: Real> Forms<'_, R> {
             }
             let slots = self.sums.slots.iter_mut().enumerate();
             let free = slots.filter(|(slot, _)| !used((first + slot) as u32));
-            let worth = |own: &Sum| if own.kept { own.worth } else { f32::NEG_INFINITY };
+            let worth = |own: &Sum| {
+                if own.kept {
+                    own.worth
+                } else {
+                    f32::NEG_INFINITY
+                }
+            };
             let worst = free.reduce(|a, b| if worth(b.1) < worth(a.1) { b } else { a });
             if let Some((slot, own)) = worst
                 && worth(own) < sum.worth
@@ -361,7 +367,9 @@ impl Columns {
         self.for_each_base(left.kind, &mut |base, length| {
             let sizes = |kind| self.sizes_like(kind);
             match left.kind {
-                Kind::Size(dimension) => sizes(dimension).complete(left, effort, base, length, visit),
+                Kind::Size(dimension) => {
+                    sizes(dimension).complete(left, effort, base, length, visit)
+                }
                 Kind::Place(_) | Kind::Diagonal(_) | Kind::Free => {
                     sizes(Dimension::Length).complete(left, effort, base, length, visit);
                 }
@@ -388,7 +396,11 @@ impl Columns {
                 }
             }
             Kind::Diagonal(plus) => {
-                let along = |axis| self.places.iter().filter(move |p| p.kind == Kind::Place(axis));
+                let along = |axis| {
+                    self.places
+                        .iter()
+                        .filter(move |p| p.kind == Kind::Place(axis))
+                };
                 let second = if plus { 100 } else { -100 };
                 for x in along(0) {
                     for y in along(1).filter(|y| y.owner == x.owner) {
@@ -460,7 +472,9 @@ impl Sizes<'_> {
             visit(with(first, Term::NONE), length + cost);
         });
         let (pairs, factors) = match (left.tier, effort) {
-            (Tier::Plain, Effort::Simple) | (Tier::Derived, Effort::Thorough) => (true, Factors::Simple),
+            (Tier::Plain, Effort::Simple) | (Tier::Derived, Effort::Thorough) => {
+                (true, Factors::Simple)
+            }
             (Tier::Plain, Effort::Thorough) => (true, Factors::Grammar),
             (Tier::Scene, _) | (Tier::Derived, Effort::Simple) => (false, Factors::Simple),
         };

@@ -87,9 +87,7 @@ impl<R: Real> Sums<'_, R> {
 
     /// The sums that are kept, from one direction.
     pub(super) fn directed(&self, upper: bool) -> impl Iterator<Item = DirectedForm> {
-        let kept = (0u16..)
-            .zip(self.slots.iter())
-            .filter(|(_, sum)| sum.kept);
+        let kept = (0u16..).zip(self.slots.iter()).filter(|(_, sum)| sum.kept);
         kept.map(move |(slot, sum)| DirectedForm {
             index: self.first as u32 + u32::from(slot),
             rhs: slot,
