@@ -184,6 +184,16 @@ impl<'t> Domain<'t> {
             || self.points.iter().any(|point| point.turn != [None; 3])
     }
 
+    /// Whether a point has a heading of its own that is not always that of the world.
+    pub(crate) fn is_turned(&self, point: &Point<'_>) -> bool {
+        match point.base {
+            Base::Object(object) if point.is_object() => {
+                self.pose_slots(object).angles != [None; 3]
+            }
+            _ => point.turn != [None; 3],
+        }
+    }
+
     /// Along how many axes positions in this domain lie: one, two or three.
     pub fn axes(&self) -> usize {
         let depth = |used: [bool; 3]| {

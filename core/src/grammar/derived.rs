@@ -47,7 +47,7 @@ impl<R: Real> Features<'_, R> {
         let single = |point: &Point<'_>| point.member.is_none();
         for (a, first) in (0u8..).zip(domain.points()).filter(|(_, p)| single(p)) {
             for (b, second) in (0u8..).zip(domain.points()).filter(|(_, p)| single(p)) {
-                if a == b || !second.has_heading() || first.sampled == second.sampled {
+                if a == b || !domain.is_turned(second) || first.sampled == second.sampled {
                     continue;
                 }
                 for relation in [Relation::Magnitude, Relation::Coordinate] {

@@ -91,7 +91,7 @@ tuning! {
     /// Bits for a left side that is derived, or a condition on the scene.
     derived: f64 = 2.0,
     /// Up to how many bits an explanation is so short that no sums are looked for.
-    short: f64 = 30.0,
+    short: f64 = 0.0,
     /// Up to how many bits an explanation with sums is so short that no more complex ones
     /// are looked for.
     short_sums: f64 = 45.0,
@@ -174,6 +174,9 @@ tuning! {
     query_candidates: u32 = 8,
     /// A gap between the ends of a bound is narrow below this share of the form's range.
     narrow: f64 = 0.002,
+    /// Share of the questions that narrow a bound although the committee is not of one mind:
+    /// it may never be about one bound, and then says nothing about the others.
+    narrowing: f64 = 0.3,
     /// How far inside or outside of a bound a probe lies, and how close to it another sample
     /// must be to make it superfluous, as a share of a narrow gap.
     probe: f64 = 0.5,

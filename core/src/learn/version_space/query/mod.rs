@@ -3,8 +3,8 @@
 //! | strategy | when | what it asks |
 //! |---|---|---|
 //! | [`disagree`] | the committee is not of one mind | the candidate that splits its votes most evenly (query by committee, Seung, Opper and Sompolinsky 1992) |
-//! | [`bisect`] | it is | the middle of the widest gap between the ends of a bound |
-//! | [`probe`] | all gaps are narrow | just inside or just outside of a bound, in an instance where nobody asked there: a bound that fits the instances by chance does not survive that |
+//! | [`bisect`] | it is, or now and then | the middle of the widest gap between the ends of a bound |
+//! | [`probe`] | then, if all gaps are narrow | just inside or just outside of a bound, in an instance where nobody asked there: a bound that fits the instances by chance does not survive that |
 //! | [`explore`] | now and then | far from all samples, for what nobody suspects |
 //! | [`certify`] | at the end | draws from the region |
 //!
@@ -46,11 +46,13 @@ impl<R: Real> Strategy<'_, '_, R> {
         rng: &mut Generator,
         query: &mut Query,
     ) -> Result<bool, Error> {
-        Ok(
-            self.disagree(lhs, rng, query)?
-                || self.bisect(rng, query)?
-                || self.probe(rng, query)?,
-        )
+        let narrows = uniform(rng) < self.forms.tuning().narrowing;
+        if narrows && (self.bisect(rng, query)? || self.probe(rng, query)?) {
+            return Ok(true);
+        }
+        Ok(self.disagree(lhs, rng, query)?
+            || self.bisect(rng, query)?
+            || self.probe(rng, query)?)
     }
 }
 
