@@ -519,7 +519,7 @@
  * Bytes of a sample that was told, apart from its left sides; for
  * CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_OBSERVATION_BYTES 76
+#define CRITREG_OBSERVATION_BYTES 80
 
 /**
  * Bytes of a feature, apart from its values in the instances; for
@@ -546,7 +546,7 @@
 /**
  * Bytes of a step; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_STEP_BYTES 5376
+#define CRITREG_STEP_BYTES 6144
 
 /**
  * Bytes of a planner that do not depend on its capacity, apart from pointers; for
@@ -824,9 +824,10 @@ typedef struct critreg_report {
      */
     uint32_t struct_size;
     /**
-     * Always 0.
+     * What the region is worth: CRITREG_EXACT, CRITREG_APPROXIMATE, CRITREG_PROVISIONAL or,
+     * if there is none, CRITREG_NO_QUALITY.
      */
-    uint32_t reserved;
+    uint32_t quality;
     /**
      * Hypotheses that the grammar makes of the domain.
      */
@@ -893,6 +894,24 @@ typedef struct critreg_report {
      * the training instances (Clopper and Pearson 1934); 0 without draws.
      */
     double certificate_lower_bound;
+    /**
+     * The share of the region that works lies between these two, each with the configured
+     * confidence, by the same draws; NaN without draws.
+     */
+    double precision_low;
+    /**
+     * See precision_low.
+     */
+    double precision_high;
+    /**
+     * The share of what works that is in the region, likewise, by draws from everything
+     * since the region is as it is; NaN without feasible ones.
+     */
+    double recall_low;
+    /**
+     * See recall_low.
+     */
+    double recall_high;
 } critreg_report;
 
 /**
@@ -1027,6 +1046,12 @@ typedef struct critreg_config {
      * sixteenth of forms, at most 512. 0: none.
      */
     uint32_t sums;
+    /**
+     * CRITREG_VERSION_SPACE: which share of the region must work at least where no region
+     * agrees with all outcomes, from 0.5 to 0.999. The learner then looks for the largest
+     * such region, and spends a quarter of the calls to estimate how good it is. Default 0.95.
+     */
+    double precision_wanted;
 } critreg_config;
 
 /**
@@ -1795,7 +1820,8 @@ critreg_status critreg_learner_parameter_count(const struct critreg_learner *lea
  * @param user_data Passed to simulate.
  * @param region NULL, or receives the region; it is valid as the one of
  * critreg_learner_region() is.
- * @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
+ * @return CRITREG_NO_REGION if nothing was learned that is exact or approximate, see
+ * critreg_region_quality() and critreg_learner_why(); CRITREG_CAPACITY_EXCEEDED if
  * there is no room for another observation (critreg_learner_region() still has
  * what was learned) or for so many instances (critreg_config.instances); the status
  * of a callback that was not CRITREG_OK; CRITREG_INVALID_ARGUMENT for no instance, or
@@ -1872,7 +1898,8 @@ critreg_status critreg_is_finished(const struct critreg_learner *learner,
                                    int32_t *finished);
 
 /**
- * What is learned so far.
+ * What is learned so far: the best region there is, of whatever quality; see
+ * critreg_region_quality().
  *
  * @param learner The learner.
  * @param region Receives the region. It belongs to the learner and is valid until
@@ -1880,11 +1907,36 @@ critreg_status critreg_is_finished(const struct critreg_learner *learner,
  * critreg_learner_resume() on it; after that using it gives
  * CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
  * what supports its constraints is not saved.
- * @return CRITREG_NO_REGION if no constraint explains the observations;
+ * @return CRITREG_NO_REGION if there is none, see critreg_learner_why();
  * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
  */
 critreg_status critreg_learner_region(struct critreg_learner *learner,
                                       const struct critreg_region **region);
+
+/**
+ * Why there is no region, or none that is exact: as a code and in words.
+ *
+ * ```c
+ * uint32_t why;
+ * char words[CRITREG_WHY_MAX];
+ * CHECK(critreg_learner_why(learner, &why, words, sizeof words, NULL));
+ * printf("%s\n", words);
+ * ```
+ *
+ * @param learner The learner.
+ * @param why NULL, or receives the code: CRITREG_WHY_EXPLAINED, or another one. What the
+ * code counts is in the words.
+ * @param text NULL, or receives the words, ended by NUL; CRITREG_WHY_MAX bytes are enough.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_TOO_SMALL; CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_why(struct critreg_learner *learner,
+                                   uint32_t *why,
+                                   char *text,
+                                   size_t len,
+                                   size_t *needed);
 
 /**
  * How learning went so far.

@@ -22,7 +22,7 @@ pub const CRITREG_HANDLE_POINTERS: usize = 656;
 
 /// Bytes of a sample that was told, apart from its left sides; for
 /// CRITREG_LEARNER_WORDS.
-pub const CRITREG_OBSERVATION_BYTES: usize = 76;
+pub const CRITREG_OBSERVATION_BYTES: usize = 80;
 
 /// Bytes of a feature, apart from its values in the instances; for
 /// CRITREG_LEARNER_WORDS.
@@ -39,7 +39,7 @@ pub const CRITREG_SUM_BYTES: usize = 24;
 pub const CRITREG_INSTANCE_BYTES: usize = 16;
 
 /// Bytes of a step; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_STEP_BYTES: usize = 5_376;
+pub const CRITREG_STEP_BYTES: usize = 6_144;
 
 /// Bytes of a planner that do not depend on its capacity, apart from pointers; for
 /// CRITREG_PLANNER_WORDS.

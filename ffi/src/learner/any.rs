@@ -1,11 +1,16 @@
 //! What all learners of the core have in common for C.
 
+#[cfg(feature = "algorithm1")]
+use crate::learner::quality::CRITREG_NO_QUALITY;
+use crate::learner::quality::number;
 use crate::learner::report::critreg_report;
-use critreg_core::learn::version_space::{self, Evidence};
+use critreg_core::Error;
+use critreg_core::learn::version_space::{self, Evidence, Why};
 #[cfg(feature = "algorithm1")]
 use critreg_core::learn::{Algorithm1, algorithm1};
 use critreg_core::learn::{Learner, VersionSpace};
 use critreg_core::real::Real;
+use critreg_core::region::Region;
 
 /// How much a learner of some kind has room for.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +56,15 @@ pub(crate) trait AnyLearner: Learner {
     /// How learning went so far.
     fn report(&self) -> critreg_report;
 
+    /// The best region there is, of whatever quality.
+    fn best_region(&self) -> Result<&Region, Error>;
+
+    /// Its quality, as a number of the header.
+    fn quality(&self) -> u32;
+
+    /// Why there is no region, or none that is exact.
+    fn why(&self) -> Why;
+
     /// What supports each constraint of the region, in their order; empty if the
     /// learner does not know.
     fn evidence(&self) -> &[Evidence];
@@ -62,6 +76,25 @@ impl<R: Real> AnyLearner for Algorithm1<'_, R> {
         critreg_report::of_algorithm1(&Algorithm1::report(self))
     }
 
+    fn best_region(&self) -> Result<&Region, Error> {
+        self.region()
+    }
+
+    fn quality(&self) -> u32 {
+        CRITREG_NO_QUALITY
+    }
+
+    fn why(&self) -> Why {
+        match self.region() {
+            Ok(_) => Why::Explained,
+            // It does not know more.
+            Err(_) => Why::Unexplained {
+                samples: self.observations().len() as u32,
+                examples: [None; 3],
+            },
+        }
+    }
+
     fn evidence(&self) -> &[Evidence] {
         &[]
     }
@@ -69,7 +102,19 @@ impl<R: Real> AnyLearner for Algorithm1<'_, R> {
 
 impl<R: Real> AnyLearner for VersionSpace<'_, R> {
     fn report(&self) -> critreg_report {
-        critreg_report::of_version_space(&VersionSpace::report(self))
+        critreg_report::of_version_space(self)
+    }
+
+    fn best_region(&self) -> Result<&Region, Error> {
+        VersionSpace::best_region(self)
+    }
+
+    fn quality(&self) -> u32 {
+        number(VersionSpace::quality(self))
+    }
+
+    fn why(&self) -> Why {
+        VersionSpace::why(self)
     }
 
     fn evidence(&self) -> &[Evidence] {

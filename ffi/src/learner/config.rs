@@ -135,6 +135,10 @@ pub struct critreg_config {
     /// where the others explain the outcomes at length or not at all. Default UINT32_MAX: a
     /// sixteenth of forms, at most 512. 0: none.
     pub sums: u32,
+    /// CRITREG_VERSION_SPACE: which share of the region must work at least where no region
+    /// agrees with all outcomes, from 0.5 to 0.999. The learner then looks for the largest
+    /// such region, and spends a quarter of the calls to estimate how good it is. Default 0.95.
+    pub precision_wanted: f64,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -165,6 +169,7 @@ fn defaults() -> critreg_config {
         tracked: u32::MAX,
         precision: Precision::DEFAULT.number(),
         sums: u32::MAX,
+        precision_wanted: settings.precision_wanted,
     }
 }
 
@@ -259,7 +264,13 @@ impl critreg_config {
 
     /// What [`critreg_core::learn::VersionSpace`] wants to know.
     pub(crate) fn version_space(&self) -> Fallible<version_space::Config> {
-        let shares = [self.noise, self.exploring, self.slack, self.confidence];
+        let shares = [
+            self.noise,
+            self.exploring,
+            self.slack,
+            self.confidence,
+            self.precision_wanted,
+        ];
         if !shares.iter().all(|share| share.is_finite()) {
             return Err(Error::NotFinite("a share of the configuration").into());
         }
@@ -270,6 +281,7 @@ impl critreg_config {
             exploring: self.exploring,
             noise: self.noise,
             slack: self.slack,
+            precision_wanted: self.precision_wanted,
             confidence: self.confidence,
             ..version_space::Config::default()
         })

@@ -10,6 +10,7 @@ use crate::learner::report::{critreg_progress, critreg_report};
 use crate::region::handle::critreg_region;
 use core::cell::Cell;
 use core::ffi::c_void;
+use critreg_core::Error;
 use critreg_core::domain::Domain;
 use critreg_core::learn::Problem;
 
@@ -53,16 +54,33 @@ impl Inner {
 
     /// Copies the learned region into its handle. The copy is what makes the handle
     /// refer to no memory that the learner writes to.
+    ///
+    /// # Errors
+    /// [`Error::NoRegion`] if its quality is less than `least`.
     #[inline(never)]
     pub(crate) fn give_region(
         &mut self,
         domain: &'static Domain<'static>,
+        least: u32,
     ) -> Fallible<*const critreg_region> {
-        let region = self.learner.region()?;
+        let region = self.learner.best_region()?;
         let support = self.learner.evidence();
+        let quality = self.learner.quality();
+        if (1..least).contains(&quality) {
+            return Err(Error::NoRegion.into());
+        }
         // SAFETY: the region's part is reserved for the handle; the header forbids to
         // use the handle while a function runs that may change the learner.
-        unsafe { critreg_region::put(self.region, domain, region, self.precision, support) };
+        unsafe {
+            critreg_region::put(
+                self.region,
+                domain,
+                region,
+                self.precision,
+                support,
+                quality,
+            )
+        };
         Ok(self.region)
     }
 }

@@ -6,6 +6,7 @@ use crate::boundary::status::critreg_status;
 use crate::boundary::structs;
 use crate::boundary::text;
 use crate::learner::handle::{critreg_learner, with_learner};
+use crate::learner::quality::{self, CRITREG_PROVISIONAL};
 use crate::learner::report::critreg_report;
 use crate::region::handle::critreg_region;
 use core::ffi::c_char;
@@ -29,7 +30,8 @@ pub unsafe extern "C" fn critreg_is_finished(
     }
 }
 
-/// What is learned so far.
+/// What is learned so far: the best region there is, of whatever quality; see
+/// critreg_region_quality().
 ///
 /// @param learner The learner.
 /// @param region Receives the region. It belongs to the learner and is valid until
@@ -37,7 +39,7 @@ pub unsafe extern "C" fn critreg_is_finished(
 /// critreg_learner_resume() on it; after that using it gives
 /// CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
 /// what supports its constraints is not saved.
-/// @return CRITREG_NO_REGION if no constraint explains the observations;
+/// @return CRITREG_NO_REGION if there is none, see critreg_learner_why();
 /// CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_learner_region(
@@ -48,8 +50,48 @@ pub unsafe extern "C" fn critreg_learner_region(
     unsafe {
         with_learner(learner, |handle, inner| {
             let output = Output::new(region, "region")?;
-            output.write(inner.give_region(handle.domain)?);
+            output.write(inner.give_region(handle.domain, CRITREG_PROVISIONAL)?);
             Ok(())
+        })
+    }
+}
+
+/// Why there is no region, or none that is exact: as a code and in words.
+///
+/// ```c
+/// uint32_t why;
+/// char words[CRITREG_WHY_MAX];
+/// CHECK(critreg_learner_why(learner, &why, words, sizeof words, NULL));
+/// printf("%s\n", words);
+/// ```
+///
+/// @param learner The learner.
+/// @param why NULL, or receives the code: CRITREG_WHY_EXPLAINED, or another one. What the
+/// code counts is in the words.
+/// @param text NULL, or receives the words, ended by NUL; CRITREG_WHY_MAX bytes are enough.
+/// @param len Length of text in bytes; 0 to ask for the length only.
+/// @param needed NULL, or receives the length of the words with their NUL.
+/// @return CRITREG_TOO_SMALL; CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+/// CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_why(
+    learner: *mut critreg_learner,
+    why: *mut u32,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |_, inner| {
+            let known = inner.learner.why();
+            if let Some(output) = Output::optional(why, "why")? {
+                output.write(quality::code(&known));
+            }
+            if text.is_null() && len == 0 && needed.is_null() {
+                return Ok(());
+            }
+            text::write(&known, text, len, needed)
         })
     }
 }

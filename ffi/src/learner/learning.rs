@@ -4,6 +4,7 @@ use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::status::{Failure, Fallible, critreg_status, stop_unless_ok};
 use crate::learner::handle::{Inner, critreg_learner, problem, with_learner};
 use crate::learner::outcome::{CRITREG_NO_OUTCOME, critreg_outcome};
+use crate::learner::quality::CRITREG_APPROXIMATE;
 use crate::region::handle::critreg_region;
 use core::ffi::c_void;
 use critreg_core::learn::Query;
@@ -60,7 +61,8 @@ pub type critreg_simulate = Option<
 /// @param user_data Passed to simulate.
 /// @param region NULL, or receives the region; it is valid as the one of
 /// critreg_learner_region() is.
-/// @return CRITREG_NO_REGION if nothing was learned; CRITREG_CAPACITY_EXCEEDED if
+/// @return CRITREG_NO_REGION if nothing was learned that is exact or approximate, see
+/// critreg_region_quality() and critreg_learner_why(); CRITREG_CAPACITY_EXCEEDED if
 /// there is no room for another observation (critreg_learner_region() still has
 /// what was learned) or for so many instances (critreg_config.instances); the status
 /// of a callback that was not CRITREG_OK; CRITREG_INVALID_ARGUMENT for no instance, or
@@ -93,7 +95,7 @@ pub unsafe extern "C" fn critreg_learn_region(
                 inner.tell(&problem, outcome)?;
                 show_progress(handle, inner)?;
             }
-            let learned = inner.give_region(handle.domain)?;
+            let learned = inner.give_region(handle.domain, CRITREG_APPROXIMATE)?;
             if let Some(output) = output {
                 output.write(learned);
             }

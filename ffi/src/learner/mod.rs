@@ -10,6 +10,7 @@
 //! | [`outcome`] | what came of a trial, as C says it |
 //! | [`learning`] | asking and telling |
 //! | [`inspection`] | what is asked about one: whether it is finished, what it learned |
+//! | [`quality`] | how good a region is, and why there is none |
 //! | [`report`] | how learning went |
 //! | [`saving`] | saving a run and resuming it |
 
@@ -21,6 +22,7 @@ pub(crate) mod layout;
 pub mod learning;
 pub mod making;
 pub mod outcome;
+pub mod quality;
 pub mod report;
 pub mod saving;
 pub(crate) mod tables;

@@ -2,10 +2,13 @@
 
 use crate::boundary::status::{critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
+use crate::learner::quality::{CRITREG_NO_QUALITY, number};
 use core::ffi::c_void;
+use core::mem::offset_of;
+use critreg_core::learn::VersionSpace;
 #[cfg(feature = "algorithm1")]
 use critreg_core::learn::algorithm1;
-use critreg_core::learn::version_space;
+use critreg_core::real::Real;
 
 /// In a critreg_report: this did not happen (yet), or never does in this learner.
 pub const CRITREG_NOT_RUN: u64 = u64::MAX;
@@ -20,8 +23,9 @@ pub const CRITREG_NOT_RUN: u64 = u64::MAX;
 pub struct critreg_report {
     /// Size of this struct in bytes, from critreg_report_init().
     pub struct_size: u32,
-    /// Always 0.
-    pub reserved: u32,
+    /// What the region is worth: CRITREG_EXACT, CRITREG_APPROXIMATE, CRITREG_PROVISIONAL or,
+    /// if there is none, CRITREG_NO_QUALITY.
+    pub quality: u32,
     /// Hypotheses that the grammar makes of the domain.
     pub enumerated: u64,
     /// Those the learner started with.
@@ -58,16 +62,26 @@ pub struct critreg_report {
     /// With the configured confidence, at least this share of the region works in
     /// the training instances (Clopper and Pearson 1934); 0 without draws.
     pub certificate_lower_bound: f64,
+    /// The share of the region that works lies between these two, each with the configured
+    /// confidence, by the same draws; NaN without draws.
+    pub precision_low: f64,
+    /// See precision_low.
+    pub precision_high: f64,
+    /// The share of what works that is in the region, likewise, by draws from everything
+    /// since the region is as it is; NaN without feasible ones.
+    pub recall_low: f64,
+    /// See recall_low.
+    pub recall_high: f64,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
 unsafe impl Versioned for critreg_report {
-    const FIRST: usize = size_of::<critreg_report>();
+    const FIRST: usize = offset_of!(critreg_report, precision_low);
 }
 
 const EMPTY: critreg_report = critreg_report {
     struct_size: size_of::<critreg_report>() as u32,
-    reserved: 0,
+    quality: CRITREG_NO_QUALITY,
     enumerated: 0,
     kept: 0,
     left_out: 0,
@@ -83,6 +97,10 @@ const EMPTY: critreg_report = critreg_report {
     certificate_draws: 0,
     certificate_feasible: 0,
     certificate_lower_bound: 0.0,
+    precision_low: f64::NAN,
+    precision_high: f64::NAN,
+    recall_low: f64::NAN,
+    recall_high: f64::NAN,
 };
 
 /// Called by critreg_learn_region() after every sample.
@@ -121,8 +139,18 @@ impl critreg_report {
         }
     }
 
-    pub(crate) fn of_version_space(report: &version_space::Report) -> Self {
+    pub(crate) fn of_version_space<R: Real>(learner: &VersionSpace<'_, R>) -> Self {
+        let report = learner.report();
+        let confidence = learner.config().confidence;
+        let unknown = (f64::NAN, f64::NAN);
+        let (precision_low, precision_high) = report.precision(confidence).unwrap_or(unknown);
+        let (recall_low, recall_high) = report.recall(confidence).unwrap_or(unknown);
         critreg_report {
+            quality: number(learner.quality()),
+            precision_low,
+            precision_high,
+            recall_low,
+            recall_high,
             enumerated: report.forms.saturating_add(report.forms_left_out) as u64,
             kept: report.forms as u64,
             left_out: report.forms_left_out as u64,

@@ -25,6 +25,8 @@ pub struct critreg_region {
     /// parsed or loaded knows none.
     evidence: [Evidence; MAX_CONSTRAINTS],
     known: usize,
+    /// See critreg_region_quality().
+    pub(crate) quality: u32,
 }
 
 // SAFETY: the seal is a word of the handle, and private.
@@ -50,6 +52,7 @@ impl critreg_region {
         region: &Region,
         precision: Precision,
         support: &[Evidence],
+        quality: u32,
     ) {
         // SAFETY: by this function's contract; the fields lie inside of the handle, and it
         // is whole when it is sealed.
@@ -57,6 +60,7 @@ impl critreg_region {
             (&raw mut (*place).domain).write(domain);
             (&raw mut (*place).precision).write(precision);
             (&raw mut (*place).known).write(support.len());
+            (&raw mut (*place).quality).write(quality);
             (&raw mut (*place).region).write(Region::default());
             (&raw mut (*place).evidence).write([Evidence::BLANK; MAX_CONSTRAINTS]);
             (*place).region.copy_from(region);

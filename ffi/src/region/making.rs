@@ -6,6 +6,7 @@ use crate::boundary::memory::ALIGNMENT;
 use crate::boundary::pointer::{self, Output};
 use crate::boundary::precision::Precision;
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::learner::quality::CRITREG_NO_QUALITY;
 use crate::region::handle::critreg_region;
 use crate::region::layout::RegionLayout;
 use core::ffi::{c_char, c_void};
@@ -122,7 +123,14 @@ unsafe fn make(
         handle::retire(place);
         let domain = layout.domain.put(memory, domain_text)?;
         let region = Region::parse(domain, text)?;
-        critreg_region::put(place, domain, &region, Precision::DEFAULT, &[]);
+        critreg_region::put(
+            place,
+            domain,
+            &region,
+            Precision::DEFAULT,
+            &[],
+            CRITREG_NO_QUALITY,
+        );
         output.write(place);
     }
     Ok(())

@@ -32,6 +32,7 @@ const TRAINING: Training = Training {
         exploring: 0.1,
         noise: 0.0,
         slack: 0.0,
+        precision_wanted: 0.95,
         confidence: 0.95,
         tuning: &Tuning::CHOSEN,
     },

@@ -66,9 +66,7 @@ impl<'m, R: Real> Committee<'m, R> {
 
     /// Whether a hypothesis speaks of a form, by its place among the forms.
     pub(super) fn uses(&self, form: u32) -> bool {
-        let clauses = self.hypotheses.iter().flat_map(|own| &own.clauses);
-        let mut bounds = clauses.flat_map(Clause::bounds);
-        bounds.any(|bound| bound.form.index == form)
+        self.hypotheses.iter().any(|own| own.uses(form))
     }
 
     /// Whether the best hypotheses are consistent with all answers.

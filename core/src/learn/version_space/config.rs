@@ -22,6 +22,9 @@ pub struct Config {
     /// actions that work a little beyond a boundary or fail a little before it. If
     /// it is zero, the region agrees with every answer.
     pub slack: f64,
+    /// Which share of the region must work at least where no region agrees with all answers,
+    /// in `[0.5, 0.999]`.
+    pub precision_wanted: f64,
     /// Confidence of the certificate, in `[0, 0.9999]`.
     pub confidence: f64,
     /// The numbers behind, see [`Tuning`].
@@ -37,6 +40,7 @@ impl Default for Config {
             exploring: 0.1,
             noise: 0.0,
             slack: 0.05,
+            precision_wanted: 0.95,
             confidence: 0.95,
             tuning: &Tuning::CHOSEN,
         }
@@ -50,11 +54,13 @@ impl Config {
             && share(self.noise, 0.2)
             && share(self.slack, 0.2)
             && share(self.confidence, 0.9999)
+            && (0.5..=0.999).contains(&self.precision_wanted)
         {
             Ok(())
         } else {
             Err(Error::InvalidArgument(
-                "exploring is in [0, 1], noise and slack in [0, 0.2], confidence in [0, 0.9999]",
+                "exploring is in [0, 1], noise and slack in [0, 0.2], confidence in [0, 0.9999], \
+                 precision_wanted in [0.5, 0.999]",
             ))
         }
     }

@@ -219,18 +219,24 @@ impl<R: Real> Hypothesis<R> {
         lengths.sum()
     }
 
-    /// How many samples it is wrong about.
-    pub(super) fn strays(&self, view: &StepView<'_, '_, R>) -> usize {
+    /// The samples that it is wrong about.
+    pub(super) fn wrong(&self, view: &StepView<'_, '_, R>) -> impl Iterator<Item = usize> {
         let tuning = view.forms.tuning();
-        let holds = |bound: &Bound<R>, sample: usize| {
-            view.value(&bound.form, sample) <= bound.threshold(tuning)
-        };
-        let admits = |sample: &usize| {
+        let admits = move |sample: usize| {
+            let holds =
+                |bound: &Bound<R>| view.value(&bound.form, sample) <= bound.threshold(tuning);
             let mut clauses = self.clauses.iter();
-            clauses.all(|c| c.bounds().any(|b| holds(b, *sample)))
+            clauses.all(|clause| clause.bounds().any(holds))
         };
-        let admitted = view.infeasible.iter().filter(admits).count();
-        admitted + view.feasible.iter().filter(|s| !admits(s)).count()
+        let admitted = view.infeasible.iter().filter(move |sample| admits(*sample));
+        let missed = view.feasible.iter().filter(move |sample| !admits(*sample));
+        admitted.chain(missed)
+    }
+
+    /// Whether it speaks of a form, by its place among the forms.
+    pub(super) fn uses(&self, form: u32) -> bool {
+        let mut bounds = self.clauses.iter().flat_map(Clause::bounds);
+        bounds.any(|bound| bound.form.index == form)
     }
 
     /// Whether samples stray from its bounds.

@@ -29,7 +29,7 @@ pub(super) const MAX_STEPS: usize = 4;
 /// | `lhs_values`, `lhs`, `lefts` | [`Capacity::lhs`] times 8 per observation, and twice more |
 /// | `sums`, `sum_values` | 24 per sum, and 8 per sum and instance |
 /// | `ends`, `failures` | 16 per instance and per observation |
-/// | `hypotheses` | 5120 per step |
+/// | `hypotheses`, `approximations` | 5760 per step |
 /// | `sample_sets` | 16 per step and 64 observations |
 /// | `region`, `evidence` | about 4200 |
 /// | `samples`, `observations` | 4 and 56 per observation |
@@ -169,6 +169,11 @@ impl Capacity {
         MEMBERS * self.steps
     }
 
+    /// Hypotheses that explain most answers: one for every step.
+    pub const fn approximations(self) -> usize {
+        self.steps
+    }
+
     /// What supports the constraints of a region.
     pub const fn evidence(self) -> usize {
         MAX_CONSTRAINTS
@@ -215,6 +220,8 @@ macro_rules! version_space_tables {
             sample_sets: u64, sample_sets;
             /// The committees.
             hypotheses: $crate::learn::version_space::Hypothesis<$real>, hypotheses;
+            /// Those that explain most answers, where none explains all.
+            approximations: $crate::learn::version_space::Hypothesis<$real>, approximations;
             /// What was asked and told.
             observations: $crate::learn::Observation, observations;
             /// What supports the constraints of the region.

@@ -70,6 +70,7 @@
 //! | `query/` | which sample to ask about, a file for each strategy |
 //! | `tuning` | all numbers that decide what is learned |
 
+mod approximate;
 mod bound;
 mod certificate;
 mod clause;
@@ -84,6 +85,7 @@ mod improve;
 mod membership;
 mod memory;
 mod name;
+mod quality;
 mod query;
 mod report;
 mod selection;
@@ -95,6 +97,7 @@ pub use forms::{End, Failure, Interval, Left, Sample, Sum};
 pub use hypothesis::Hypothesis;
 pub use membership::Membership;
 pub use memory::{Capacity, MAX_OBSERVATIONS, MAX_SUMS, Memory};
+pub use quality::{Quality, Why};
 pub use report::{Evidence, Report};
 pub use tuning::Tuning;
 
@@ -120,8 +123,20 @@ struct Pending {
     lead: i32,
     /// The step that failed last, from one.
     failed_step: u8,
-    /// Whether it is drawn from the region, to certify it.
-    certifying: bool,
+    purpose: Purpose,
+}
+
+/// What a query is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Purpose {
+    /// To tell hypotheses apart.
+    Doubt,
+    /// It is drawn from the region, to certify it.
+    Certify,
+    /// It is drawn from the region, to learn what is wrong with it.
+    Draw,
+    /// It is drawn from everything.
+    Anywhere,
 }
 
 /// The sound learner. See the [module](self).
@@ -133,6 +148,12 @@ pub struct VersionSpace<'m, R> {
     /// Room for the left sides at a sample.
     lhs: &'m mut [R],
     committee: Committee<'m, R>,
+    /// For each step, the hypothesis that explains most answers.
+    approximations: &'m mut [Hypothesis<R>],
+    /// Whether the region is made of those.
+    approximating: bool,
+    /// Which share of it must work.
+    wanted: f64,
     selection: Selection,
     observations: Table<'m, Observation>,
     rng: Generator,
@@ -190,6 +211,9 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             rng: generator(config.seed),
             needed_lead: needed_lead(config.noise, config.tuning.beyond_doubt),
             certify_from: config.certifying,
+            approximations: memory.approximations,
+            approximating: false,
+            wanted: config.precision_wanted,
             config,
             capacity,
             forms,
@@ -255,20 +279,15 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     /// Takes a sample whose label is decided; its left sides are in `lhs`.
     fn learn(&mut self, domain: &Domain<'_>, pending: &Pending) {
         let feasible = pending.lead > 0;
+        let certifies = pending.purpose == Purpose::Certify;
         self.take_in(pending);
         self.note_influence(&pending.query, feasible);
         let moved = self.repair_best();
-        let Certificate {
-            mut draws,
-            feasible: mut worked,
-            ..
-        } = self.report.certificate;
-        if pending.certifying {
-            draws += 1;
-            worked += u32::from(feasible);
+        self.count(pending);
+        if self.approximating {
+            return;
         }
-        self.report.certificate = Certificate::new(draws, worked, self.config.confidence);
-        match (pending.certifying, feasible) {
+        match (certifies, feasible) {
             (true, true) => {}
             (false, _) if !moved => self.count_support(domain),
             (true, false) => {
@@ -281,18 +300,50 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         }
     }
 
+    /// Counts what samples that were drawn at random tell about the region.
+    fn count(&mut self, pending: &Pending) {
+        let feasible = pending.lead > 0;
+        if pending.purpose == Purpose::Anywhere && feasible {
+            let inside = self.shows(pending.query.instance);
+            self.report.found += 1;
+            self.report.inside += u32::from(inside);
+        }
+        let Certificate {
+            draws,
+            feasible: worked,
+            ..
+        } = self.report.certificate;
+        // As long as everything works, the region is everything.
+        let all = self.report.infeasible == 0 && pending.purpose == Purpose::Anywhere;
+        let certifies = u32::from(all || pending.purpose == Purpose::Certify);
+        let worked = worked + certifies * u32::from(feasible);
+        let confidence = self.config.confidence;
+        self.report.certificate = Certificate::new(draws + certifies, worked, confidence);
+    }
+
+    /// Whether the region has the sample in it whose left sides are in `lhs`.
+    fn shows(&self, instance: usize) -> bool {
+        let tuning = self.config.tuning;
+        let holds = |bound: &bound::Bound<R>| {
+            self.forms.value(&bound.form, instance, self.lhs) <= bound.threshold(tuning)
+        };
+        let mut clauses = self.shown_clauses();
+        clauses.all(|(_, clause)| clause.bounds().any(holds))
+    }
+
     /// Tells the forms of a sample.
     #[inline(never)]
     fn take_in(&mut self, pending: &Pending) {
         let Query { instance, .. } = pending.query;
+        let source = (instance, pending.purpose != Purpose::Doubt);
         if pending.lead > 0 {
             self.report.feasible += 1;
             let steps = self.capacity.steps;
-            return self.forms.add(instance, self.lhs, steps, None);
+            return self.forms.add(source, self.lhs, steps, None);
         }
         self.report.infeasible += 1;
         let failed = usize::from(pending.failed_step.saturating_sub(1));
-        self.forms.add(instance, self.lhs, failed, Some(failed));
+        self.forms.add(source, self.lhs, failed, Some(failed));
     }
 
     fn note_influence(&mut self, query: &Query, feasible: bool) {
@@ -389,10 +440,9 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
     }
 
     fn region(&self) -> Result<&Region, Error> {
-        if self.is_explained() {
-            Ok(self.region)
-        } else {
-            Err(Error::NoRegion)
+        match self.quality() {
+            Quality::Exact | Quality::Approximate => Ok(self.region),
+            Quality::None | Quality::Provisional => Err(Error::NoRegion),
         }
     }
 
@@ -424,6 +474,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
             digest.update(&number.to_le_bytes());
         }
         for number in [
+            self.config.precision_wanted,
             self.config.exploring,
             self.config.noise,
             self.config.slack,

@@ -24,6 +24,38 @@ pub struct Report {
     pub strays: usize,
     /// Draws from the region, and what they prove.
     pub certificate: Certificate,
+    /// Feasible samples that were drawn from everything since the region is as it is.
+    pub found: u32,
+    /// Those of them that are in the region: `inside / found` estimates the recall.
+    pub inside: u32,
+}
+
+impl Report {
+    /// An interval for the share of the region that works, as far as draws from it that were
+    /// not used to choose it tell; `None` without such draws. Each end holds with so much
+    /// confidence (Clopper and Pearson 1934).
+    pub fn precision(&self, confidence: f64) -> Option<(f64, f64)> {
+        let Certificate {
+            draws, feasible, ..
+        } = self.certificate;
+        interval(draws, feasible, confidence)
+    }
+
+    /// The same for the share of what works that is in the region.
+    pub fn recall(&self, confidence: f64) -> Option<(f64, f64)> {
+        interval(self.found, self.inside, confidence)
+    }
+
+    /// The upper end of [`Report::precision`].
+    pub(super) fn precision_at_most(&self, confidence: f64) -> Option<f64> {
+        self.precision(confidence).map(|(_, upper)| upper)
+    }
+}
+
+/// Between which shares the truth lies where so many of some draws are successes.
+fn interval(draws: u32, successes: u32, confidence: f64) -> Option<(f64, f64)> {
+    let lower = |own: u32| Certificate::new(draws, own, confidence).lower_bound;
+    (draws > 0).then(|| (lower(successes), 1.0 - lower(draws - successes.min(draws))))
 }
 
 /// What supports a constraint of a region.

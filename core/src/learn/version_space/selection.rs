@@ -1,5 +1,6 @@
 //! Model selection: repairing hypotheses, and selecting the shortest.
 
+use super::clause::Clause;
 use super::committee::Committee;
 use super::describe::{self, Description};
 use super::forms::{Effort, Forms, StepView};
@@ -81,11 +82,36 @@ impl<R: Real> VersionSpace<'_, R> {
         longer && new > self.selection.samples / (tuning.patience as usize).max(1)
     }
 
+    /// Whether a region that explains most answers is looked for now, or again.
+    pub(super) fn is_time_to_approximate(&self) -> bool {
+        let tuning = self.config.tuning;
+        let told = self.observations.len() as f64;
+        let late = told >= tuning.give_up * f64::from(self.config.calls);
+        let new = self.forms.samples() - self.selection.samples;
+        let wanted = || {
+            self.approximating
+                || !self.is_explained()
+                || self.committee.length(&self.forms) > tuning.long
+        };
+        late && new >= tuning.batch as usize && wanted()
+    }
+
     /// Whether the best hypotheses are so much shorter than the answers that they
     /// are no accident: answers by chance have no short explanation, except for one
     /// of 2^[`significance`](super::Tuning::significance) (minimum description length,
     /// Rissanen 1978).
     pub(super) fn is_significant(&self) -> bool {
+        self.significance() >= 0.0
+    }
+
+    /// By how many bits the best hypotheses are shorter than they must be for that.
+    pub(super) fn significance(&self) -> f64 {
+        let own = self.committee.length(&self.forms) + self.config.tuning.significance;
+        self.entropy() - own
+    }
+
+    /// How many bits there are in the answers.
+    pub(super) fn entropy(&self) -> f64 {
         let steps = 0..self.capacity.steps;
         let answers = steps.map(|step| {
             let view = StepView::new(&self.forms, step);
@@ -94,20 +120,15 @@ impl<R: Real> VersionSpace<'_, R> {
             let length = |own: f64| own * libm::log2((feasible + infeasible) / own.max(1.0));
             length(feasible) + length(infeasible)
         });
-        let significance = self.config.tuning.significance;
-        answers.sum::<f64>() >= self.committee.length(&self.forms) + significance
+        answers.sum::<f64>()
     }
 
     /// Selects the best hypotheses anew and makes the region of them.
     #[inline(never)]
     pub(super) fn reselect(&mut self, domain: &Domain<'_>) {
         self.select(domain);
-        let tuning = self.config.tuning;
-        for (effort, short) in [
-            (Effort::Simple, tuning.short),
-            (Effort::Thorough, tuning.short_sums),
-        ] {
-            if self.find_sums(domain, effort, short) {
+        for effort in [Effort::Simple, Effort::Thorough] {
+            if self.find_sums(domain, effort) {
                 self.select(domain);
             }
         }
@@ -116,7 +137,40 @@ impl<R: Real> VersionSpace<'_, R> {
             length: self.committee.length(&self.forms),
             samples: self.forms.samples(),
         };
+        self.approximate();
         self.rebuild_region(domain);
+    }
+
+    /// Looks for a region that explains most answers, if it is time for that and there is
+    /// none that explains all in few words.
+    #[inline(never)]
+    fn approximate(&mut self) {
+        let tuning = self.config.tuning;
+        let told = self.observations.len() as f64;
+        let early = told < tuning.give_up * f64::from(self.config.calls);
+        let length = self.committee.length(&self.forms);
+        let explained = self.is_explained();
+        self.approximating = false;
+        if early || self.unasked.is_some() || (explained && length <= tuning.long) {
+            return;
+        }
+        let mut robust = 0.0;
+        for (step, own) in self.approximations.iter_mut().enumerate() {
+            let view = StepView::new(&self.forms, step);
+            let fit = own.approximate(&view, self.wanted);
+            robust += own.robust_length(&view, &fit);
+        }
+        self.approximating = !explained || robust < length;
+    }
+
+    /// The hypothesis of each step that makes the region.
+    pub(super) fn shown(&self) -> impl Iterator<Item = &Hypothesis<R>> {
+        shown(&self.committee, self.approximations, self.approximating)
+    }
+
+    /// The clauses that make the region, each with its step.
+    pub(super) fn shown_clauses(&self) -> impl Iterator<Item = (usize, &Clause<R>)> {
+        with_steps(self.shown())
     }
 
     /// Repairs the committee and puts the shortest hypotheses first.
@@ -127,23 +181,24 @@ impl<R: Real> VersionSpace<'_, R> {
         select(domain, forms, committee, self.config.slack, &mut self.rng);
     }
 
-    /// Looks for sums for each step of which the best hypothesis is not short enough, in bits,
-    /// or samples stray from it.
-    /// Tells whether there is such a step.
+    /// Looks for sums; with effort, for each step of which the best hypothesis is long or
+    /// samples stray from it. Tells whether there is such a step.
     #[inline(never)]
-    fn find_sums(&mut self, domain: &Domain<'_>, effort: Effort, short: f64) -> bool {
+    fn find_sums(&mut self, domain: &Domain<'_>, effort: Effort) -> bool {
         if self.capacity.sums() == 0 {
             return false;
         }
-        let committee = &self.committee;
+        let (committee, approximations) = (&self.committee, &*self.approximations);
+        let most = self.config.tuning.short_sums;
         let mut found = false;
         for (step, best) in committee.best().enumerate() {
             let agrees = best.consistent && !best.is_strained();
-            if agrees && best.length(&self.forms) <= short {
+            if effort == Effort::Thorough && agrees && best.length(&self.forms) <= most {
                 continue;
             }
             found = true;
-            let used = |form| committee.uses(form);
+            let used =
+                |form| committee.uses(form) || approximations.iter().any(|own| own.uses(form));
             self.forms.find_sums(domain, step, effort, &used);
         }
         found
@@ -154,10 +209,8 @@ impl<R: Real> VersionSpace<'_, R> {
         if self.report.constraints_left_out > 0 {
             return self.rebuild_region(domain);
         }
-        let counts = self
-            .committee
-            .best_bounds()
-            .map(|(clause, _)| clause.support);
+        let shown = shown(&self.committee, self.approximations, self.approximating);
+        let counts = with_steps(shown).flat_map(|(_, own)| own.bounds().map(|_| own.support));
         for (evidence, count) in self.evidence.as_mut_slice().iter_mut().zip(counts) {
             evidence.support = count;
         }
@@ -167,12 +220,14 @@ impl<R: Real> VersionSpace<'_, R> {
     /// supports its constraints. One that finds no room is left out and counted.
     #[inline(never)]
     pub(super) fn rebuild_region(&mut self, domain: &Domain<'_>) {
-        self.report.strays = 0;
-        for (step, best) in self.committee.best().enumerate() {
-            self.report.strays += best.strays(&StepView::new(&self.forms, step));
-        }
+        let wrong = self.shown().enumerate().map(|(step, own)| {
+            let view = StepView::new(&self.forms, step);
+            own.wrong(&view).count()
+        });
+        self.report.strays = wrong.sum();
         if !self.is_written(domain) {
             self.report.certificate = Certificate::default();
+            (self.report.found, self.report.inside) = (0, 0);
             self.write_region(domain);
         }
     }
@@ -184,7 +239,8 @@ impl<R: Real> VersionSpace<'_, R> {
         let mut new = Description::default();
         let mut old = self.region.formula().comparison();
         self.evidence.clear();
-        for (step, clause) in self.committee.best_clauses() {
+        let shown = shown(&self.committee, self.approximations, self.approximating);
+        for (step, clause) in with_steps(shown) {
             let described = new.describe(domain, &self.forms, clause, step);
             let noted = described.and_then(|()| note(&mut self.evidence, &new.evidence));
             if noted.is_err() || !old.next_is(&new.nodes, &new.any_of) {
@@ -199,8 +255,9 @@ impl<R: Real> VersionSpace<'_, R> {
         let mut new = Description::default();
         self.report.constraints_left_out = 0;
         self.evidence.clear();
+        let shown = shown(&self.committee, self.approximations, self.approximating);
         self.region.rewrite(domain, |formula| {
-            for (step, clause) in self.committee.best_clauses() {
+            for (step, clause) in with_steps(shown) {
                 let described = new.describe(domain, &self.forms, clause, step);
                 let added = described
                     .and_then(|()| formula.and(&new.nodes, &new.any_of))
@@ -209,6 +266,24 @@ impl<R: Real> VersionSpace<'_, R> {
             }
         });
     }
+}
+
+/// The hypothesis of each step that makes the region.
+fn shown<'h, R: Real>(
+    committee: &'h Committee<'_, R>,
+    approximations: &'h [Hypothesis<R>],
+    approximating: bool,
+) -> impl Iterator<Item = &'h Hypothesis<R>> {
+    let best = committee.best().take_while(move |_| !approximating);
+    best.chain(approximations.iter().take_while(move |_| approximating))
+}
+
+/// The clauses of the hypotheses of each step.
+fn with_steps<'h, R: Real>(
+    hypotheses: impl Iterator<Item = &'h Hypothesis<R>>,
+) -> impl Iterator<Item = (usize, &'h Clause<R>)> {
+    let steps = hypotheses.enumerate();
+    steps.flat_map(|(step, own)| own.clauses.iter().map(move |clause| (step, clause)))
 }
 
 fn note(evidence: &mut Table<'_, Evidence>, own: &[Evidence]) -> Result<(), Error> {

@@ -90,8 +90,6 @@ tuning! {
     world_class: f64 = 5.0,
     /// Bits for a left side that is derived, or a condition on the scene.
     derived: f64 = 2.0,
-    /// Up to how many bits an explanation is so short that no sums are looked for.
-    short: f64 = 0.0,
     /// Up to how many bits an explanation with sums is so short that no more complex ones
     /// are looked for.
     short_sums: f64 = 45.0,
@@ -116,6 +114,27 @@ tuning! {
     /// By how many bits the answers must be longer than their explanation: one of
     /// 2^significance times that answers by chance seem to be explained.
     significance: f64 = 10.0,
+    /// Up to which share of the answers may stray from an exact region.
+    strays: f64 = 0.05,
+    /// Bits for an answer that a region is wrong about where none explains all: the log odds
+    /// of 2% wrong answers.
+    wrong: f64 = 6.0,
+    /// How much a sample that was asked about for a reason counts for how good such a region
+    /// is, compared to one drawn at random: reasons are near boundaries.
+    undrawn: f64 = 0.3,
+    /// Share of the calls after which such a region is looked for.
+    give_up: f64 = 0.6,
+    /// Answers between two looks.
+    batch: u32 = 12,
+    /// From how many bits on an explanation is so long that it is compared with such a region.
+    long: f64 = 60.0,
+    /// Share of the questions then that are draws from the region, and share that are draws
+    /// from everything.
+    draws: f64 = 0.67,
+    /// See `draws`.
+    uniform: f64 = 0.17,
+    /// Share of the calls, the last ones, that only estimate how good such a region is.
+    judging: f64 = 0.25,
     /// Where between its ends a bound is drawn, as a share from S on.
     threshold_share: f64 = 0.4,
 

@@ -73,10 +73,15 @@ pub(super) fn tolerance<R: Real>(value: R) -> R {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sample {
     instance: u32,
+    /// Whether it was drawn at random, from everything or from a region.
+    drawn: bool,
 }
 
 impl Blank for Sample {
-    const BLANK: Self = Sample { instance: 0 };
+    const BLANK: Self = Sample {
+        instance: 0,
+        drawn: false,
+    };
 }
 
 /// The forms of a domain, what the feasible samples say about each and which
@@ -480,6 +485,12 @@ impl<'m, R: Real> Forms<'m, R> {
     /// The instance of a sample.
     pub(super) fn instance_of(&self, sample: usize) -> usize {
         self.values.instance_of(sample)
+    }
+
+    /// Whether a sample was drawn at random.
+    pub(super) fn is_drawn(&self, sample: usize) -> bool {
+        let sample = self.values.samples.as_slice().get(sample);
+        sample.is_some_and(|sample| sample.drawn)
     }
 
     /// How many words a set of samples has in use.

@@ -47,6 +47,12 @@ impl SampleSet {
         }
     }
 
+    pub(in super::super) fn remove(&mut self, sample: usize) {
+        if let Some(word) = self.words.get_mut(sample / 64) {
+            *word &= !(1 << (sample % 64));
+        }
+    }
+
     /// Takes out what is in another set.
     pub(in super::super) fn subtract(&mut self, other: &SampleSet) {
         for (word, other) in self.words.iter_mut().zip(&other.words) {

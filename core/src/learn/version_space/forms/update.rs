@@ -29,13 +29,13 @@ impl<R: Real> Forms<'_, R> {
     /// unless `failed` is `None`. Its left sides are in `lhs`.
     pub(in super::super) fn add(
         &mut self,
-        instance: usize,
+        (instance, drawn): (usize, bool),
         lhs: &[R],
         worked: usize,
         failed: Option<usize>,
     ) {
         let sample = self.samples();
-        self.values.push(instance, lhs);
+        self.values.push(instance, drawn, lhs);
         if sample.is_multiple_of(64) {
             self.exclusions.clear(sample / 64);
         }

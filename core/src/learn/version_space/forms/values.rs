@@ -20,7 +20,7 @@ pub(super) struct Values<'m, R> {
 
 impl<R: Real> Values<'_, R> {
     /// Appends a sample with its left sides.
-    pub(super) fn push(&mut self, instance: usize, lhs: &[R]) {
+    pub(super) fn push(&mut self, instance: usize, drawn: bool, lhs: &[R]) {
         let rows = self.lhs.chunks_exact_mut(self.lhs_count.max(1));
         let row = rows.into_iter().nth(self.samples.len());
         for (slot, value) in row.unwrap_or(&mut []).iter_mut().zip(lhs) {
@@ -29,6 +29,7 @@ impl<R: Real> Values<'_, R> {
         // There is room: as much as for observations, of which each decides one at most.
         let _ = self.samples.push(Sample {
             instance: instance as u32,
+            drawn,
         });
     }
 

@@ -1,10 +1,13 @@
 //! Draws from the region, to certify it.
 
 use crate::error::Error;
-use crate::learn::version_space::VersionSpace;
+use crate::learn::version_space::{Purpose, VersionSpace};
 use crate::learn::{Problem, Query};
 use crate::random::below;
 use crate::real::Real;
+
+/// One of so many draws is from everything where a region is judged.
+const JUDGED: usize = 4;
 
 impl<R: Real> VersionSpace<'_, R> {
     /// A draw from the region, after a selection if it is the first.
@@ -20,10 +23,39 @@ impl<R: Real> VersionSpace<'_, R> {
         self.draw(problem, query)
     }
 
+    /// When so many calls are left, a region that is not exact is judged.
+    pub(super) fn judge_from(&self) -> u32 {
+        let share = self.config.tuning.judging * f64::from(self.config.calls);
+        (share as u32).max(self.config.certifying)
+    }
+
+    /// A draw from a region that is not exact, or now and then from everything: they tell how
+    /// good it is. It is chosen anew if it turns out not to be as good as wanted.
+    pub(super) fn judge(
+        &mut self,
+        problem: &Problem<'_>,
+        query: &mut Query,
+    ) -> Result<Purpose, Error> {
+        let upper = self.report.precision_at_most(self.config.confidence);
+        let refuted = upper.is_some_and(|upper| upper < self.config.precision_wanted);
+        if !self.certifying || refuted {
+            if refuted {
+                self.wanted += 0.5 * (1.0 - self.wanted);
+            }
+            self.certifying = true;
+            self.reselect(problem.domain());
+        }
+        let everywhere = self.observations.len().is_multiple_of(JUDGED);
+        match !everywhere && self.draw(problem, query)? {
+            true => Ok(Purpose::Certify),
+            false => Ok(Purpose::Anywhere),
+        }
+    }
+
     /// A draw from the region in some instance, one that was not asked about if
     /// there is nothing else to ask about.
     #[inline(never)]
-    fn draw(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<bool, Error> {
+    pub(super) fn draw(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<bool, Error> {
         for _ in 0..self.config.tuning.certify_draws {
             let mut instance = below(&mut self.rng, problem.count());
             if self.unasked.is_some() {

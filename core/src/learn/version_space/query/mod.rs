@@ -22,7 +22,7 @@ mod probe;
 
 use super::committee::Committee;
 use super::forms::Forms;
-use super::{Pending, VersionSpace};
+use super::{Pending, Purpose, VersionSpace};
 use crate::error::Error;
 use crate::learn::{Learner, Observation, Problem, Query};
 use crate::random::{Generator, uniform};
@@ -50,9 +50,11 @@ impl<R: Real> Strategy<'_, '_, R> {
         if narrows && (self.bisect(rng, query)? || self.probe(rng, query)?) {
             return Ok(true);
         }
-        Ok(self.disagree(lhs, rng, query)?
-            || self.bisect(rng, query)?
-            || self.probe(rng, query)?)
+        Ok(
+            self.disagree(lhs, rng, query)?
+                || self.bisect(rng, query)?
+                || self.probe(rng, query)?,
+        )
     }
 }
 
@@ -72,20 +74,25 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         {
             query.instance = instance;
         }
-        let mut certifying = false;
+        let mut purpose = Purpose::Anywhere;
         if self.report.feasible > 0 && self.report.infeasible > 0 {
-            certifying = self.calls_left() <= self.certify_from && self.is_explained();
-            if certifying {
-                certifying = self.draw_to_certify(problem, &mut query)?;
+            let certifies = self.calls_left() <= self.certify_from && self.is_explained();
+            if self.approximating && self.calls_left() <= self.judge_from() {
+                purpose = self.judge(problem, &mut query)?;
+            } else if certifies && !self.approximating {
+                purpose = match self.draw_to_certify(problem, &mut query)? {
+                    true => Purpose::Certify,
+                    false => Purpose::Anywhere,
+                };
             } else {
-                self.doubt(problem, &mut query)?;
+                purpose = self.doubt(problem, &mut query)?;
             }
         }
         self.pending = Some(Pending {
             query,
             lead: 0,
             failed_step: 1,
-            certifying,
+            purpose,
         });
         Ok(())
     }
@@ -93,17 +100,30 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     /// What tells hypotheses apart, or looks for what nobody suspects; the query stays
     /// if there is nothing.
     #[inline(never)]
-    fn doubt(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<(), Error> {
-        if self.is_doubtful() {
+    fn doubt(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<Purpose, Error> {
+        if self.is_doubtful() || self.is_time_to_approximate() {
             self.reselect(problem.domain());
         } else {
             self.repair();
         }
+        if self.approximating {
+            let tuning = self.config.tuning;
+            let chance = uniform(&mut self.rng);
+            if chance < tuning.draws && self.draw(problem, query)? {
+                return Ok(Purpose::Draw);
+            }
+            if chance < tuning.draws + tuning.uniform {
+                return Ok(Purpose::Anywhere);
+            }
+        }
         // A selection in between has random numbers of its own.
         let mut rng = self.rng.clone();
-        self.choose(problem, &mut rng, query)?;
+        let found = self.choose(problem, &mut rng, query)?;
         self.rng = rng;
-        Ok(())
+        Ok(match found {
+            true => Purpose::Doubt,
+            false => Purpose::Anywhere,
+        })
     }
 
     fn choose(

@@ -1,0 +1,239 @@
+//! The best region where nothing explains all answers: the largest that is nearly right.
+//!
+//! Where the truth lies outside of the grammar, or some answers are wrong, a hypothesis may
+//! be wrong about samples on either side of its bounds. It pays for each (robust minimum
+//! description length), more for one that it admits wrongly than for one that it misses:
+//! by how much more is the *caution*. Of hypotheses of different caution the largest is
+//! taken whose share of feasible samples is what the caller asks for.
+
+use super::bound::Bound;
+use super::clause::Clause;
+use super::forms::{DirectedForm, SUM_LEVEL, SampleSet, StepView, tolerance};
+use super::hypothesis::{Hypothesis, MAX_CLAUSES};
+use crate::real::Real;
+use crate::table::{move_last, take_out};
+use heapless::Vec;
+
+/// By how much more a sample counts that is admitted wrongly than one that is missed.
+const CAUTIONS: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 19.0];
+/// Most feasible samples that one bound may miss.
+const MISSED: usize = 16;
+/// Forms that clauses are chosen from, after all have been looked at once.
+const POOL: usize = 256;
+/// How often each clause is chosen anew.
+const ROUNDS: usize = 2;
+
+/// What a hypothesis makes of the samples.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Fit {
+    /// Feasible samples that it admits.
+    pub(super) feasible: f64,
+    /// Infeasible ones.
+    pub(super) infeasible: f64,
+    /// Samples that it is wrong about.
+    pub(super) wrong: u32,
+}
+
+impl Fit {
+    /// The share of what it admits that works, by the rule of succession (Laplace).
+    fn precision(&self) -> f64 {
+        (self.feasible + 1.0) / (self.feasible + self.infeasible + 2.0)
+    }
+}
+
+/// A bound that is worth adding.
+#[derive(Clone, Copy)]
+struct Cut<R> {
+    form: DirectedForm,
+    threshold: R,
+    gain: f64,
+}
+
+impl<R: Real> Hypothesis<R> {
+    /// Makes it the largest whose share of feasible samples is `wanted`, or as much of that
+    /// as there is. Samples that were not drawn at random, but lie near a boundary, count
+    /// less.
+    #[inline(never)]
+    pub(super) fn approximate(&mut self, view: &StepView<'_, '_, R>, wanted: f64) -> Fit {
+        let pool = pool(view);
+        let mut best: Option<(Fit, Hypothesis<R>)> = None;
+        for caution in CAUTIONS {
+            self.grow(view, &pool, caution);
+            let fit = self.fit(view);
+            let better = best.as_ref().is_none_or(|(old, _)| {
+                match (fit.precision() >= wanted, old.precision() >= wanted) {
+                    (true, true) => fit.feasible > old.feasible,
+                    (new, old_fits) if new != old_fits => new,
+                    _ => fit.precision() > old.precision(),
+                }
+            });
+            if better {
+                best = Some((fit, self.clone()));
+            }
+        }
+        match best {
+            Some((fit, hypothesis)) => {
+                self.copy_from(&hypothesis);
+                self.consistent = fit.wrong == 0;
+                fit
+            }
+            None => Fit::default(),
+        }
+    }
+
+    /// What it costs in bits: its description, and what it is wrong about.
+    pub(super) fn robust_length(&self, view: &StepView<'_, '_, R>, fit: &Fit) -> f64 {
+        self.length(view.forms) + view.forms.tuning().wrong * f64::from(fit.wrong)
+    }
+
+    /// Adds one bound after the other as long as that pays, then chooses each anew.
+    fn grow(&mut self, view: &StepView<'_, '_, R>, pool: &[DirectedForm], caution: f64) {
+        self.clear();
+        while !self.clauses.is_full() && self.add(view, pool, caution) {}
+        for _ in 0..ROUNDS {
+            for index in 0..MAX_CLAUSES {
+                if take_out(&mut self.clauses, index).is_some() && self.add(view, pool, caution) {
+                    move_last(&mut self.clauses, index);
+                }
+            }
+        }
+        for clause in &mut self.clauses {
+            clause.bound.range = view.range(&clause.bound.form);
+        }
+    }
+
+    /// Adds the bound that pays most; `false` if none pays.
+    fn add(&mut self, view: &StepView<'_, '_, R>, pool: &[DirectedForm], caution: f64) -> bool {
+        let (feasible, infeasible) = self.admitted(view);
+        let mut best: Option<Cut<R>> = None;
+        for form in pool {
+            let clauses = &self.clauses;
+            let mut known = clauses.iter().flat_map(Clause::bounds);
+            let named = known.any(|bound| bound.form.index == form.index);
+            let length = view.forms.bound_length(form, named);
+            if let Some(cut) = cut(view, form, [&feasible, &infeasible], (caution, length))
+                && best.is_none_or(|best| cut.gain > best.gain)
+            {
+                best = Some(cut);
+            }
+        }
+        let Some(best) = best else { return false };
+        let beyond = infeasible
+            .iter()
+            .map(|sample| view.value(&best.form, sample));
+        let beyond = beyond.filter(|value| *value > best.threshold + tolerance(*value));
+        let outer = beyond.fold(R::INFINITY, R::min);
+        let bound = Bound::new(best.form, best.threshold, outer, R::ONE);
+        self.clauses.push(Clause::new(bound)).is_ok()
+    }
+
+    /// The feasible and the infeasible samples that it admits.
+    fn admitted(&self, view: &StepView<'_, '_, R>) -> (SampleSet, SampleSet) {
+        let (mut feasible, mut infeasible) = (view.feasible, view.infeasible);
+        for set in [&mut feasible, &mut infeasible] {
+            let all = *set;
+            for sample in all.iter() {
+                let holds = |bound: &Bound<R>| {
+                    let value = view.value(&bound.form, sample);
+                    value <= bound.inner + tolerance(value)
+                };
+                let mut clauses = self.clauses.iter();
+                if !clauses.all(|clause| clause.bounds().any(holds)) {
+                    set.remove(sample);
+                }
+            }
+        }
+        (feasible, infeasible)
+    }
+
+    fn fit(&self, view: &StepView<'_, '_, R>) -> Fit {
+        let (feasible, infeasible) = self.admitted(view);
+        let tuning = view.forms.tuning();
+        let weigh = |set: &SampleSet| {
+            let weights = set.iter().map(|sample| match view.forms.is_drawn(sample) {
+                true => 1.0,
+                false => tuning.undrawn,
+            });
+            weights.sum::<f64>()
+        };
+        let missed = view.feasible.len() - feasible.len();
+        Fit {
+            feasible: weigh(&feasible),
+            infeasible: weigh(&infeasible),
+            wrong: (missed + infeasible.len()) as u32,
+        }
+    }
+}
+
+/// The forms whose bounds alone pay most.
+#[inline(never)]
+fn pool<R: Real>(view: &StepView<'_, '_, R>) -> Vec<DirectedForm, POOL> {
+    let mut best: Vec<(f32, DirectedForm), POOL> = Vec::new();
+    view.forms.for_each(SUM_LEVEL, |form| {
+        let length = view.forms.bound_length(&form, false);
+        let sets = [&view.feasible, &view.infeasible];
+        let Some(cut) = cut(view, &form, sets, (1.0, length)) else {
+            return;
+        };
+        let gain = cut.gain as f32;
+        if best.is_full() {
+            if best.last().is_some_and(|(least, _)| gain <= *least) {
+                return;
+            }
+            best.pop();
+        }
+        let place = best.partition_point(|(other, _)| *other >= gain);
+        if best.push((gain, form)).is_ok() {
+            move_last(&mut best, place);
+        }
+    });
+    crate::table::gather(best.iter().map(|(_, form)| *form))
+}
+
+/// Where a bound of a form pays most; `None` if it does not anywhere.
+fn cut<R: Real>(
+    view: &StepView<'_, '_, R>,
+    form: &DirectedForm,
+    [feasible, infeasible]: [&SampleSet; 2],
+    (caution, length): (f64, f64),
+) -> Option<Cut<R>> {
+    // The values farthest out, from the outermost in: beyond each lie as many samples as
+    // stand before it.
+    let mut ends: Vec<R, { MISSED + 1 }> = Vec::new();
+    for sample in feasible.iter() {
+        let value = view.value(form, sample);
+        if ends.is_full() {
+            if ends.last().is_none_or(|last| value <= *last) {
+                continue;
+            }
+            ends.pop();
+        }
+        let place = ends.partition_point(|other| *other >= value);
+        if ends.push(value).is_ok() {
+            move_last(&mut ends, place);
+        }
+    }
+    let mut counts = [0u32; MISSED + 1];
+    for sample in infeasible.iter() {
+        let value = view.value(form, sample);
+        let value = value - tolerance(value);
+        let place = ends.partition_point(|end| *end >= value);
+        if let Some(count) = counts.get_mut(place) {
+            *count += 1;
+        }
+    }
+    let wrong = view.forms.tuning().wrong;
+    let (mut excluded, mut best) = (0, None::<Cut<R>>);
+    for (missed, (end, count)) in ends.iter().zip(counts).enumerate() {
+        excluded += count;
+        let gain = wrong * (caution * f64::from(excluded) - missed as f64) - length;
+        if gain > best.map_or(0.0, |best| best.gain) {
+            best = Some(Cut {
+                form: *form,
+                threshold: *end,
+                gain,
+            });
+        }
+    }
+    best
+}

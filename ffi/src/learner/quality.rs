@@ -1,0 +1,82 @@
+//! How good a region is and why there is none, for C.
+
+use crate::boundary::handle;
+use crate::boundary::pointer::Output;
+use crate::boundary::status::critreg_status;
+use crate::region::handle::critreg_region;
+use critreg_core::learn::version_space::{Quality, Why};
+
+/// Of a region: nothing is known of its quality; it was parsed, loaded, or learned by
+/// CRITREG_ALGORITHM1. Of a learner: there is no region.
+pub const CRITREG_NO_QUALITY: u32 = 0;
+/// It agrees with the answers so far, but they are too few to tell it from chance.
+pub const CRITREG_PROVISIONAL: u32 = 1;
+/// It is wrong about some answers: the truth is not quite what the domain text can say, or
+/// answers are wrong. The report estimates how good it is.
+pub const CRITREG_APPROXIMATE: u32 = 2;
+/// It agrees with all answers, but for the few that critreg_report.strays counts.
+pub const CRITREG_EXACT: u32 = 3;
+
+/// There is an exact region.
+pub const CRITREG_WHY_EXPLAINED: u32 = 0;
+/// Nothing was told yet.
+pub const CRITREG_WHY_NOTHING_TOLD: u32 = 1;
+/// No sample worked. A smaller range of the parameters helps.
+pub const CRITREG_WHY_NONE_WORKED: u32 = 2;
+/// All samples worked: the region is everything.
+pub const CRITREG_WHY_ALL_WORKED: u32 = 3;
+/// In no instance did some samples work and others not.
+pub const CRITREG_WHY_NO_INFLUENCE: u32 = 4;
+/// There are too few answers for the smallest explanation.
+pub const CRITREG_WHY_TOO_FEW: u32 = 5;
+/// Answers at one and the same place contradict each other.
+pub const CRITREG_WHY_CONTRADICTION: u32 = 6;
+/// Nothing that the domain text can say explains some of the samples.
+pub const CRITREG_WHY_UNEXPLAINED: u32 = 7;
+
+/// Bytes that are enough for the words of critreg_learner_why(), with their NUL.
+pub const CRITREG_WHY_MAX: usize = 256;
+
+/// The number of a quality.
+pub(crate) const fn number(quality: Quality) -> u32 {
+    match quality {
+        Quality::None => CRITREG_NO_QUALITY,
+        Quality::Provisional => CRITREG_PROVISIONAL,
+        Quality::Approximate => CRITREG_APPROXIMATE,
+        Quality::Exact => CRITREG_EXACT,
+    }
+}
+
+/// The code of a reason.
+pub(crate) const fn code(why: &Why) -> u32 {
+    match why {
+        Why::Explained => CRITREG_WHY_EXPLAINED,
+        Why::NothingTold => CRITREG_WHY_NOTHING_TOLD,
+        Why::NoneWorked => CRITREG_WHY_NONE_WORKED,
+        Why::AllWorked => CRITREG_WHY_ALL_WORKED,
+        Why::NoInfluence => CRITREG_WHY_NO_INFLUENCE,
+        Why::TooFew { .. } => CRITREG_WHY_TOO_FEW,
+        Why::Contradiction { .. } => CRITREG_WHY_CONTRADICTION,
+        Why::Unexplained { .. } => CRITREG_WHY_UNEXPLAINED,
+    }
+}
+
+/// How good a learned region is, in one word.
+///
+/// @param region The region.
+/// @param quality Receives CRITREG_EXACT, CRITREG_APPROXIMATE, CRITREG_PROVISIONAL or
+/// CRITREG_NO_QUALITY; a larger number is better.
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_region_quality(
+    region: *const critreg_region,
+    quality: *mut u32,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        handle::read(region, |handle| {
+            Output::new(quality, "quality")?.write(handle.quality);
+            Ok(())
+        })
+    }
+}
