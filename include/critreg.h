@@ -207,9 +207,11 @@
  *                   "(" path "," path ")"
  *               | "angle" "(" path "," path "," path ")"    (* at the second point *)
  *               | relation "(" path "," path ")"  (* between their bodies *)
+ *               | "clear" "(" line "," path ")"
  *               | "area" "(" name ")" ;
  *     relation  = "clear" | "inside" | "inside_x" | "inside_y" | "inside_z" | "over"
  *               | "corner" | "x_in" | "y_in" | "z_in" | "abs_x_in" | "abs_y_in" | "abs_z_in" ;
+ *     line      = ( "line" | "sweep" ) "(" path "," path ")" ;
  *     path      = name { "." name } ;
  *     name      = ( letter | "_" ) { letter | digit | "_" } ;
  *
@@ -240,6 +242,10 @@
  *     corner     how far the nearest corner of the first one is from the second one
  *     x_in, ...  where the first one's centre is in the frame of the second one;
  *                abs_x_in, ...: the magnitude of that
+ *
+ * The straight line from point to point is a body, too: clear(line(eye, sign), post) >= 0
+ * says that the sign is seen past the post, and clear(sweep(robot, goal), post) >= 0 that
+ * the way there is free, because a sweep is as wide as the circle of its first point.
  *
  * A point without a shape is a body without extent. A size below zero is that of an absent
  * body, of which no constraint holds; an absent member of a group is passed over.

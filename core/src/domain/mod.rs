@@ -32,9 +32,11 @@
 //! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" ) "(" path "," path ")"
 //!           | "angle" "(" path "," path "," path ")"         (* at the second point *)
 //!           | relation "(" path "," path ")"                 (* between their bodies *)
+//!           | "clear" "(" line "," path ")"
 //!           | "area" "(" name ")" ;
 //! relation  = "clear" | "inside" | "inside_x" | "inside_y" | "inside_z" | "over" | "corner"
 //!           | "x_in" | "y_in" | "z_in" | "abs_x_in" | "abs_y_in" | "abs_z_in" ;
+//! line      = ( "line" | "sweep" ) "(" path "," path ")" ;   (* from point to point *)
 //! path      = name { "." name } ;
 //! name      = ( letter | "_" ) { letter | digit | "_" } ;
 //! ```
@@ -74,6 +76,10 @@
 //! # Ok::<(), critreg::Error>(())
 //! ```
 //!
+//! The straight line between two points is a body, too: `clear(line(eye, sign), post) >= 0`
+//! says that the sign is seen past the post. A `sweep` is as wide as the circle of its first
+//! point, which drives along it.
+//!
 //! A point without a shape is a body without extent. A size below zero is that of an absent
 //! body, of which no constraint holds.
 //!
@@ -109,7 +115,6 @@
 //! no member is there, a least value is above every bound, and a greatest one below.
 
 mod algebra;
-mod body_pair;
 mod declarations;
 mod description;
 mod dimension;
@@ -125,14 +130,13 @@ mod turns;
 
 pub(crate) use node::{TermError, copy, intern, is_same};
 
-pub use algebra::{Algebra, Arithmetic, Curve, Line, Measure, Range};
-pub use body_pair::BodyPair;
+pub use algebra::{Algebra, Arithmetic, Bend, Curve, Line, Measure, Range};
 pub use declarations::{
     Attribute, Base, Body, Constant, Group, Member, Object, Parameter, Point, Shape, Solid, Type,
 };
 pub use dimension::Dimension;
 pub use expression::{Dependence, MAX_DEPTH};
-pub use node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
+pub use node::{Beam, Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};

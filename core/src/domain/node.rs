@@ -40,6 +40,15 @@ pub enum Metric {
     Straight,
 }
 
+/// How wide a straight line between two points is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beam {
+    /// `line(a, b)`: not at all, as a line of sight.
+    Line,
+    /// `sweep(a, b)`: as the circle of the first point, which drives along it.
+    Sweep,
+}
+
 /// A number that belongs to an object or to points, in an instance and at a sample. A
 /// quantity of a group names the first member, which stands for each of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +64,9 @@ pub enum Quantity {
     /// A relation between the bodies of two points: the first one's to the second one's. A
     /// point without a body is a body without extent.
     Relation(Relation, u8, u8),
+    /// How far the straight line between the first two points is from the body of the third
+    /// one; below zero, how deep it goes in.
+    Sight(Beam, u8, u8, u8),
     /// The angle at the second point between the directions to the first and to the
     /// third, in `[0, pi]`; zero where one of them is the second point itself.
     VertexAngle(u8, u8, u8),
@@ -69,6 +81,7 @@ impl Quantity {
             | Quantity::Distance(..)
             | Quantity::Angle(..)
             | Quantity::Relation(..)
+            | Quantity::Sight(..)
             | Quantity::VertexAngle(..) => None,
         }
     }
@@ -81,7 +94,9 @@ impl Quantity {
             Quantity::Distance(_, a, b) | Quantity::Angle(a, b) | Quantity::Relation(_, a, b) => {
                 [Some(a), Some(b), None]
             }
-            Quantity::VertexAngle(a, b, c) => [Some(a), Some(b), Some(c)],
+            Quantity::Sight(_, a, b, c) | Quantity::VertexAngle(a, b, c) => {
+                [Some(a), Some(b), Some(c)]
+            }
         }
     }
 
@@ -93,6 +108,7 @@ impl Quantity {
             Quantity::Distance(metric, ..) => Quantity::Distance(metric, a, b),
             Quantity::Angle(..) => Quantity::Angle(a, b),
             Quantity::Relation(relation, ..) => Quantity::Relation(relation, a, b),
+            Quantity::Sight(beam, ..) => Quantity::Sight(beam, a, b, c),
             Quantity::VertexAngle(..) => Quantity::VertexAngle(a, b, c),
         }
     }

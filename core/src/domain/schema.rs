@@ -133,6 +133,12 @@ impl<'t> Domain<'t> {
         self.bodies.iter().find(|body| body.point == point)
     }
 
+    /// Whether the body of a point is a circle, or a ball.
+    pub fn is_round(&self, point: u8) -> bool {
+        let solid = self.body_of(point).map(|body| body.solid);
+        solid.is_some_and(|solid| solid.radius.is_some() && solid.sizes == [None; 3])
+    }
+
     /// The terms that the points and shapes refer to.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes

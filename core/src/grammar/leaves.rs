@@ -4,7 +4,7 @@
 //! Each function calls `visit` instead of returning an iterator: nested iterators of
 //! this kind take a kilobyte of stack, loops next to nothing.
 
-use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Quantity};
+use crate::domain::{Beam, Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Quantity};
 use crate::geometry::{Axis, Relation};
 
 /// A function that takes one feature after the other.
@@ -131,6 +131,43 @@ fn body_relations(domain: &Domain<'_>, relations: &[Relation], sampled: bool, vi
     }
 }
 
+/// Lines of sight and straight motions: from a point that moves to one that stands, past a
+/// third thing that stands. What one of the ends is placed in is left out, because the end
+/// moves with it or is a part of it.
+fn sights(domain: &Domain<'_>, visit: Visit<'_>) {
+    for (a, start) in (0u8..).zip(domain.points()).filter(|(_, p)| p.sampled) {
+        for (b, end) in (0u8..).zip(domain.points()) {
+            // Key points and members of groups would be too many ends.
+            let is_single = end.part.is_empty() && end.member.is_none();
+            if is_single && !end.sampled && end.owner != start.owner {
+                sights_between(domain, [a, b], visit);
+            }
+        }
+    }
+}
+
+fn sights_between(domain: &Domain<'_>, [a, b]: [u8; 2], visit: Visit<'_>) {
+    let object = |point| domain.object_of(point);
+    let of_an_end = |body| {
+        let mut ends = [a, b].into_iter();
+        ends.any(|end| body == end || object(body).is_some() && object(body) == object(end))
+    };
+    // What drives there takes the place of a thing, or of a circle like itself.
+    let is_object = domain
+        .points()
+        .get(usize::from(b))
+        .is_some_and(Point::is_object);
+    let drives = domain.is_round(a) && (is_object || domain.is_round(b));
+    for beam in [Beam::Line, Beam::Sweep] {
+        for (body, third) in (0u8..).zip(domain.points()) {
+            let stands = !third.sampled && domain.body_of(body).is_some();
+            if stands && !of_an_end(body) && (beam == Beam::Line || drives) {
+                say_least(domain, Quantity::Sight(beam, a, b, body), visit);
+            }
+        }
+    }
+}
+
 /// Distances, angle differences and areas, of the sample or not.
 pub(super) fn relations(
     domain: &Domain<'_>,
@@ -166,6 +203,9 @@ pub(super) fn relations(
         }
     }
     if bodies {
+        if sampled {
+            sights(domain, visit);
+        }
         body_relations(domain, &[Relation::Corner], sampled, visit);
         let axes = AXES.get(..domain.axes()).unwrap_or(&AXES);
         for along in [
@@ -238,6 +278,58 @@ mod tests {
             .write_expression(&mut text, &[term], NodeId(0))
             .unwrap();
         text
+    }
+
+    /// What is said of a domain that begins with one of some words.
+    fn said_with(domain: &str, words: &[&str]) -> Vec<String> {
+        let domain = Domain::parse(domain).unwrap();
+        let said = said(&domain).into_iter();
+        let texts = said.map(|(_, term)| written(&domain, term));
+        texts
+            .filter(|text| words.iter().any(|word| text.starts_with(word)))
+            .collect()
+    }
+
+    #[test]
+    fn sights_are_from_what_moves_to_what_stands_past_a_third_thing() {
+        let domain = "object tray { x: length, y: length } shape tray = rectangle(3, 2)
+            object post[2] { x: length, y: length } shape post = circle(0.1)
+            object cart { x: length, y: length } shape cart = circle(1)
+            point spot = tray + (1, 1)
+            parameter p in [0, 1]: length
+            point hand = world + (p, 0) shape hand = circle(0.5)
+            point tip = cart + (p, 1) shape tip = rectangle(0.5, 1)";
+        assert_eq!(
+            said_with(
+                domain,
+                &[
+                    "clear(line",
+                    "clear(sweep",
+                    "min(clear(line",
+                    "min(clear(sweep"
+                ]
+            ),
+            [
+                "min(clear(line(hand, tray), post))",
+                "clear(line(hand, tray), cart)",
+                "min(clear(sweep(hand, tray), post))",
+                "clear(sweep(hand, tray), cart)",
+                "clear(line(hand, cart), tray)",
+                "min(clear(line(hand, cart), post))",
+                "clear(sweep(hand, cart), tray)",
+                "min(clear(sweep(hand, cart), post))",
+                // The spot is on the tray, and no circle.
+                "min(clear(line(hand, spot), post))",
+                "clear(line(hand, spot), cart)",
+                // The tip goes with the cart.
+                "min(clear(line(tip, tray), post))",
+                "clear(line(tip, cart), tray)",
+                "min(clear(line(tip, cart), post))",
+                "min(clear(line(tip, spot), post))",
+            ]
+        );
+        let without = domain.replace("shape", "#");
+        assert_eq!(said_with(&without, &["clear", "min(clear"]), [""; 0]);
     }
 
     #[test]

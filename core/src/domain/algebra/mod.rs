@@ -10,11 +10,10 @@ mod line;
 mod number;
 mod range;
 
-pub use curve::Curve;
+pub use curve::{Bend, Curve};
 pub use line::Line;
 pub use range::Range;
 
-use super::body_pair::BodyPair;
 use super::node::Extreme;
 use crate::real::Real;
 
@@ -60,12 +59,25 @@ pub trait Algebra<R: Real>: Arithmetic<R> {
     fn about(self) -> Option<(R, R)>;
     /// The same quantity, known less exactly by so much.
     fn widened(self, by: R) -> Self;
-    /// A relation between two bodies, where the first one's centre is this far from the
-    /// second one's, and turning them may change it by so much.
-    fn relation(pair: &BodyPair<R>, difference: [Self; 3], slack: R) -> Self::Measure;
+    /// What follows from some vectors, as a length that changes by no more than the one of
+    /// them does that changes most, and by `slack` for all else that is not known.
+    fn length_of<const N: usize>(
+        vectors: [[Self; 3]; N],
+        slack: R,
+        value: impl Fn([[R; 3]; N]) -> R,
+    ) -> Self::Measure;
 }
 
 fn dot<R: Real, A: Arithmetic<R>>(a: [A; 3], b: [A; 3]) -> A {
     let ([ax, ay, az], [bx, by, bz]) = (a, b);
     ax.times(bx).plus(ay.times(by)).plus(az.times(bz))
+}
+
+fn cross<R: Real, A: Arithmetic<R>>(a: [A; 3], b: [A; 3]) -> [A; 3] {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    [
+        ay.times(bz).minus(az.times(by)),
+        az.times(bx).minus(ax.times(bz)),
+        ax.times(by).minus(ay.times(bx)),
+    ]
 }

@@ -1,7 +1,6 @@
 //! Ranges: bounds of a term over a box of parameters.
 
 use super::{Algebra, Arithmetic, Measure, dot};
-use crate::domain::body_pair::BodyPair;
 use crate::domain::node::Extreme;
 use crate::real::Real;
 
@@ -121,11 +120,20 @@ impl<R: Real> Algebra<R> for Range<R> {
             high: self.high + by,
         }
     }
-    /// Relations are lengths: they change by no more than their bodies move.
-    fn relation(pair: &BodyPair<R>, difference: [Self; 3], slack: R) -> Self {
-        let [Some((x, dx)), Some((y, dy)), Some((z, dz))] = difference.map(Range::about) else {
-            return Self::unknown();
-        };
-        Self::constant(pair.value([x, y, z])).widened(R::norm([dx, dy, dz]) + slack)
+    fn length_of<const N: usize>(
+        vectors: [[Self; 3]; N],
+        slack: R,
+        value: impl Fn([[R; 3]; N]) -> R,
+    ) -> Self {
+        let mut middles = [[R::ZERO; 3]; N];
+        let mut moved = R::ZERO;
+        for (middle, vector) in middles.iter_mut().zip(vectors) {
+            let [Some((x, dx)), Some((y, dy)), Some((z, dz))] = vector.map(Range::about) else {
+                return Self::unknown();
+            };
+            *middle = [x, y, z];
+            moved = moved.max(R::norm([dx, dy, dz]));
+        }
+        Self::constant(value(middles)).widened(moved + slack)
     }
 }

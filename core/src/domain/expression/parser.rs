@@ -3,7 +3,7 @@
 use super::properties::product_dimension;
 use super::words::{self, Function, UNKNOWN_FUNCTION};
 use crate::domain::node::intern;
-use crate::domain::{Dimension, Domain, Extreme, Node, NodeId, Quantity};
+use crate::domain::{Beam, Dimension, Domain, Extreme, Node, NodeId, Quantity};
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Place, Token, split_at_last_dot};
 use heapless::VecView;
@@ -13,6 +13,9 @@ use heapless::VecView;
 pub const MAX_DEPTH: u8 = 12;
 
 const _: () = assert!(MAX_DEPTH == 12, "errors name it");
+
+const A_POINT: &str = "expected the name of a point";
+const SECOND_POINT: &str = "expected `,` and a second point";
 
 impl Domain<'_> {
     /// Reads an expression, which is `expr` in the [grammar](crate::domain#the-domain-text).
@@ -216,8 +219,16 @@ impl ExpressionParser<'_, '_, '_> {
         three: Option<Quantity>,
         lexer: &mut Lexer<'_>,
     ) -> Result<Node, Failed> {
-        let a = self.point(lexer)?;
-        lexer.expect(",", "expected `,` and a second point")?;
+        let at = lexer.place();
+        let first = lexer.expect_name(A_POINT)?;
+        if lexer.accept("(") {
+            return match words::beam(first) {
+                Some(beam) if two == Some(words::CLEAR) => self.sight(beam, lexer),
+                _ => Err(lexer.fail_at(at, "only clear(...) is about line(...) or sweep(...)")),
+            };
+        }
+        let a = self.point_of_name(first, at, lexer)?;
+        lexer.expect(",", SECOND_POINT)?;
         let b = self.point(lexer)?;
         let (example, c) = match (two, three) {
             (_, Some(three)) if lexer.accept(",") => (three, self.point(lexer)?),
@@ -225,6 +236,21 @@ impl ExpressionParser<'_, '_, '_> {
             (None, _) => return Err(lexer.fail("expected `,` and a third point")),
         };
         Ok(Node::Quantity(example.with_points([a, b, c])))
+    }
+
+    /// Reads the ends of a line and the body that it is to be clear of.
+    fn sight(&self, beam: Beam, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
+        let at = lexer.place();
+        let a = self.point(lexer)?;
+        if beam == Beam::Sweep && !self.domain.is_round(a) {
+            return Err(lexer.fail_at(at, "only what has the shape of a circle can be swept"));
+        }
+        lexer.expect(",", SECOND_POINT)?;
+        let b = self.point(lexer)?;
+        lexer.expect(")", "expected `)` behind the ends of the line")?;
+        lexer.expect(",", "expected `,` and what the line is clear of")?;
+        let body = self.point(lexer)?;
+        Ok(Node::Quantity(Quantity::Sight(beam, a, b, body)))
     }
 
     fn area(&self, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
@@ -238,10 +264,13 @@ impl ExpressionParser<'_, '_, '_> {
 
     fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Failed> {
         let at = lexer.place();
-        let name = lexer.expect_name("expected the name of a point")?;
-        self.domain
-            .find_point(name)
-            .ok_or_else(|| lexer.fail_at(at, "unknown point"))
+        let name = lexer.expect_name(A_POINT)?;
+        self.point_of_name(name, at, lexer)
+    }
+
+    fn point_of_name(&self, name: &str, at: Place, lexer: &mut Lexer<'_>) -> Result<u8, Failed> {
+        let point = self.domain.find_point(name);
+        point.ok_or_else(|| lexer.fail_at(at, "unknown point"))
     }
 
     fn name(&self, name: &str) -> Option<Node> {

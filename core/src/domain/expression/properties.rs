@@ -1,7 +1,7 @@
 //! What an expression measures, what it depends on, and its value if that is known.
 
 use crate::domain::node::node_at;
-use crate::domain::{Body, Coordinate, Dimension, Domain, Node, NodeId, Quantity};
+use crate::domain::{Beam, Body, Coordinate, Dimension, Domain, Node, NodeId, Quantity};
 
 /// What an expression depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,7 +37,8 @@ impl Domain<'_> {
             Quantity::Attribute(slot) => self.slot(slot).map(|(_, a)| a.dimension),
             Quantity::Coordinate(Coordinate::X | Coordinate::Y | Coordinate::Z, _)
             | Quantity::Distance(..)
-            | Quantity::Relation(..) => Some(Dimension::Length),
+            | Quantity::Relation(..)
+            | Quantity::Sight(..) => Some(Dimension::Length),
             Quantity::Coordinate(Coordinate::Theta, _)
             | Quantity::Angle(..)
             | Quantity::VertexAngle(..) => Some(Dimension::Angle),
@@ -97,7 +98,10 @@ impl Domain<'_> {
     /// The terms of the sizes of the bodies that a quantity is about.
     fn sizes_of(&self, quantity: Quantity) -> impl Iterator<Item = NodeId> {
         let points = match quantity {
-            Quantity::Relation(_, a, b) => [Some(a), Some(b)],
+            Quantity::Relation(_, a, b) | Quantity::Sight(Beam::Sweep, a, _, b) => {
+                [Some(a), Some(b)]
+            }
+            Quantity::Sight(Beam::Line, _, _, body) => [Some(body), None],
             Quantity::Attribute(_)
             | Quantity::Coordinate(..)
             | Quantity::Distance(..)
