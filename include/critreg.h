@@ -203,7 +203,7 @@
  *     term      = factor { "*" factor } ;
  *     factor    = number | "pi" | path | "-" factor | "(" expr ")" | call | extreme ;
  *     extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over a group *)
- *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" )
+ *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" | "off" )
  *                   "(" path "," path ")"
  *               | "angle" "(" path "," path "," path ")"    (* at the second point *)
  *               | relation "(" path "," path ")"  (* between their bodies *)
@@ -246,6 +246,8 @@
  * The straight line from point to point is a body, too: clear(line(eye, sign), post) >= 0
  * says that the sign is seen past the post, and clear(sweep(robot, goal), post) >= 0 that
  * the way there is free, because a sweep is as wide as the circle of its first point.
+ * off(sign, eye) <= 0.5 says that the sign is in a cone about the x axis of the eye: it is the
+ * angle between that axis and the direction from the eye to the sign.
  *
  * A point without a shape is a body without extent. A size below zero is that of an absent
  * body, of which no constraint holds; an absent member of a group is passed over.

@@ -29,7 +29,7 @@
 //! term      = factor { "*" factor } ;
 //! factor    = number | "pi" | path | "-" factor | "(" expr ")" | call | extreme ;
 //! extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over the members of a group *)
-//! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" ) "(" path "," path ")"
+//! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" | "off" ) "(" path "," path ")"
 //!           | "angle" "(" path "," path "," path ")"         (* at the second point *)
 //!           | relation "(" path "," path ")"                 (* between their bodies *)
 //!           | "clear" "(" line "," path ")"
@@ -78,7 +78,8 @@
 //!
 //! The straight line between two points is a body, too: `clear(line(eye, sign), post) >= 0`
 //! says that the sign is seen past the post. A `sweep` is as wide as the circle of its first
-//! point, which drives along it.
+//! point, which drives along it. And `off(sign, eye) <= 0.5` says that the sign is in a cone
+//! about the x axis of the eye: it is the angle between that axis and the direction there.
 //!
 //! A point without a shape is a body without extent. A size below zero is that of an absent
 //! body, of which no constraint holds.

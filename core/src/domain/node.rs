@@ -61,6 +61,9 @@ pub enum Quantity {
     Distance(Metric, u8, u8),
     /// The angle between the x axes of two points, in `[0, pi]`.
     Angle(u8, u8),
+    /// The angle between the x axis of the second point and the direction from there to the
+    /// first one, in `[0, pi]`; zero where they are one point.
+    Off(u8, u8),
     /// A relation between the bodies of two points: the first one's to the second one's. A
     /// point without a body is a body without extent.
     Relation(Relation, u8, u8),
@@ -80,6 +83,7 @@ impl Quantity {
             Quantity::Coordinate(..)
             | Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::Off(..)
             | Quantity::Relation(..)
             | Quantity::Sight(..)
             | Quantity::VertexAngle(..) => None,
@@ -91,9 +95,10 @@ impl Quantity {
         match self {
             Quantity::Attribute(_) => [None; 3],
             Quantity::Coordinate(_, a) => [Some(a), None, None],
-            Quantity::Distance(_, a, b) | Quantity::Angle(a, b) | Quantity::Relation(_, a, b) => {
-                [Some(a), Some(b), None]
-            }
+            Quantity::Distance(_, a, b)
+            | Quantity::Angle(a, b)
+            | Quantity::Off(a, b)
+            | Quantity::Relation(_, a, b) => [Some(a), Some(b), None],
             Quantity::Sight(_, a, b, c) | Quantity::VertexAngle(a, b, c) => {
                 [Some(a), Some(b), Some(c)]
             }
@@ -107,6 +112,7 @@ impl Quantity {
             Quantity::Coordinate(axis, _) => Quantity::Coordinate(axis, a),
             Quantity::Distance(metric, ..) => Quantity::Distance(metric, a, b),
             Quantity::Angle(..) => Quantity::Angle(a, b),
+            Quantity::Off(..) => Quantity::Off(a, b),
             Quantity::Relation(relation, ..) => Quantity::Relation(relation, a, b),
             Quantity::Sight(beam, ..) => Quantity::Sight(beam, a, b, c),
             Quantity::VertexAngle(..) => Quantity::VertexAngle(a, b, c),

@@ -190,6 +190,25 @@ impl<'t> Domain<'t> {
             || self.points.iter().any(|point| point.turn != [None; 3])
     }
 
+    /// Whether the direction of a point is given: by an angle of its object, or a turn.
+    pub(crate) fn is_turned(&self, point: u8) -> bool {
+        let mut next = Some(point);
+        while let Some(point) = next.and_then(|index| self.points.get(usize::from(index))) {
+            let of_object = match point.base {
+                Base::Object(object) => self.pose_slots(object).angles != [None; 3],
+                Base::World | Base::Point(_) => false,
+            };
+            if of_object || point.turn != [None; 3] {
+                return true;
+            }
+            next = match point.base {
+                Base::Point(earlier) => Some(earlier),
+                Base::World | Base::Object(_) => None,
+            };
+        }
+        false
+    }
+
     /// Along how many axes positions in this domain lie: one, two or three.
     pub fn axes(&self) -> usize {
         let depth = |used: [bool; 3]| {

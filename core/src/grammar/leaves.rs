@@ -100,15 +100,32 @@ fn has_corners(domain: &Domain<'_>, point: u8) -> bool {
     body.is_some_and(|body| body.solid.sizes.iter().flatten().nth(1).is_some())
 }
 
+/// What stands somewhere: objects, and points that move or have a body. Other points only
+/// lie on them.
+fn things<'d>(domain: &'d Domain<'_>) -> impl Iterator<Item = (u8, &'d Point<'d>)> {
+    let points = (0u8..).zip(domain.points());
+    points.filter(|(index, point)| {
+        point.sampled || point.is_object() || domain.body_of(*index).is_some()
+    })
+}
+
+/// By how much things are off the direction of others, where one of the two moves.
+fn offs(domain: &Domain<'_>, visit: Visit<'_>) {
+    for (b, second) in things(domain).filter(|(b, _)| domain.is_turned(*b)) {
+        for (a, first) in things(domain) {
+            if first.owner != second.owner && (first.sampled || second.sampled) {
+                say(domain, Quantity::Off(a, b), visit);
+            }
+        }
+    }
+}
+
 /// Relations between bodies, of the sample or not: between any two things that stand
 /// somewhere, of which one at least has an extent.
 fn body_relations(domain: &Domain<'_>, relations: &[Relation], sampled: bool, visit: Visit<'_>) {
-    let stands = |index: u8, point: &Point<'_>| {
-        point.sampled || point.is_object() || domain.body_of(index).is_some()
-    };
     for relation in relations {
-        for (a, first) in (0u8..).zip(domain.points()).filter(|(a, p)| stands(*a, p)) {
-            for (b, second) in (0u8..).zip(domain.points()).filter(|(b, p)| stands(*b, p)) {
+        for (a, first) in things(domain) {
+            for (b, second) in things(domain) {
                 let ordered = match relation {
                     // The same both ways round: what moves first, as a person would say it.
                     Relation::Clear if first.sampled == second.sampled => a > b,
@@ -220,6 +237,9 @@ pub(super) fn relations(
     }
     if angles {
         vertex_angles(domain, sampled, visit);
+        if sampled && !domain.bodies().is_empty() {
+            offs(domain, visit);
+        }
     }
     if dimension == Dimension::Area && !sampled {
         for (shape, _) in (0u8..).zip(domain.shapes()) {
@@ -330,6 +350,34 @@ mod tests {
         );
         let without = domain.replace("shape", "#");
         assert_eq!(said_with(&without, &["clear", "min(clear"]), [""; 0]);
+    }
+
+    #[test]
+    fn what_is_off_a_direction_moves_or_is_off_what_moves() {
+        let domain = "object eye { x: length, y: length, theta: angle } shape eye = circle(1)
+            object mark[2] { x: length, y: length } object sign { x: length, y: length }
+            parameter p in [0, 1]: length
+            point hand = world + (p, 0) point cam = eye + (p, 0) point cam.lens = cam + (1, 0)";
+        assert_eq!(
+            said_with(domain, &["off", "min(off", "max(off"]),
+            [
+                "off(hand, eye)",
+                "off(cam, eye)",
+                "off(cam.lens, eye)",
+                "off(eye, cam)",
+                "min(off(mark, cam))",
+                "max(off(mark, cam))",
+                "off(sign, cam)",
+                "off(hand, cam)",
+                "off(eye, cam.lens)",
+                "min(off(mark, cam.lens))",
+                "max(off(mark, cam.lens))",
+                "off(sign, cam.lens)",
+                "off(hand, cam.lens)",
+            ]
+        );
+        let without = domain.replace("shape", "#");
+        assert_eq!(said_with(&without, &["off", "min(off"]), [""; 0]);
     }
 
     #[test]

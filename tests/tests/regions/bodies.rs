@@ -490,9 +490,15 @@ pub(super) fn check_draws(grounded: &Grounded<'_, f64>, text: &str, rng: &mut Ge
     }
 }
 
-/// The bounds of an expression over boxes of parameters are beyond its values in them; where
-/// the box is small, not far.
-pub(super) fn check_ranges(domain: &Domain, numbers: &[f64], text: &str, rng: &mut Generator) {
+/// The bounds of an expression over boxes of parameters are beyond its values in them, and no
+/// farther apart than it is said for the size of a box.
+pub(super) fn check_ranges(
+    domain: &Domain,
+    numbers: &[f64],
+    text: &str,
+    widest: fn(f64) -> f64,
+    rng: &mut Generator,
+) {
     let mut nodes: heapless::Vec<Node, 16> = heapless::Vec::new();
     let id = domain
         .parse_expression(&mut Lexer::new(text), &mut nodes)
@@ -526,10 +532,8 @@ pub(super) fn check_ranges(domain: &Domain, numbers: &[f64], text: &str, rng: &m
                 "{text}: {value} at {theta:?}, {bounds:?} over {boxed:?}"
             );
         }
-        let wide =
-            !(bounds.high - bounds.low).is_finite() || bounds.high - bounds.low > 12.0 * size;
         assert!(
-            !wide || bounds.low == f64::INFINITY,
+            bounds.high - bounds.low <= widest(size) || bounds.low == f64::INFINITY,
             "{text}: {bounds:?} over {boxed:?}"
         );
     }

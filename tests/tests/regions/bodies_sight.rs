@@ -293,7 +293,13 @@ fn ranges_of_lines_are_never_too_small() {
     ] {
         for instance in 0..40 {
             let world = World::draw(&mut rng, instance % 2 == 0);
-            check_ranges(&domain, &world.numbers(), text, &mut rng);
+            check_ranges(
+                &domain,
+                &world.numbers(),
+                text,
+                |size| 12.0 * size,
+                &mut rng,
+            );
         }
     }
 }

@@ -148,6 +148,17 @@ impl<R: Real> Curve<R> {
         self.value(t).abs() <= tolerance
     }
 
+    /// Whether it may jump at `t`: an angle does where its vector turns round in the origin.
+    pub fn may_jump(&self, t: R) -> bool {
+        if self.factor == R::ZERO || !matches!(self.bend, Bend::Angle(_)) {
+            return false;
+        }
+        let size = self.vector.iter().fold(R::ZERO, |size, v| {
+            size.max(v.at.abs() + (v.slope * t).abs())
+        });
+        R::norm(self.vector.map(|v| v.value(t))) <= R::SQRT_EPSILON * size
+    }
+
     fn sum(self, other: Self, sign: R) -> Self {
         let line = self.line.plus(other.line.scaled(sign));
         let (factor, bent) = if other.factor == R::ZERO {
@@ -219,9 +230,6 @@ impl<R: Real> Algebra<R> for Line<R> {
     fn about(self) -> Option<(R, R)> {
         Some((self.known()?, R::ZERO))
     }
-    fn widened(self, _: R) -> Self {
-        self
-    }
     /// It is one curve only where nothing moves; else it is made of pieces.
     fn length_of<const N: usize>(
         vectors: [[Self; 3]; N],
@@ -264,6 +272,9 @@ impl<R: Real> Arithmetic<R> for Curve<R> {
             ..self
         }
     }
+    fn widened(self, _: R) -> Self {
+        self
+    }
 }
 
 impl<R: Real> Measure<R> for Curve<R> {
@@ -292,13 +303,19 @@ fn squares<R: Real>(vector: &[Line<R>; 3], factor: R) -> [R; 3] {
     ]
 }
 
-/// The roots of `a t^2 + 2 b t + c`, without cancellation.
+/// The roots of `a t^2 + 2 b t + c`, without cancellation. Two roots that are one but for
+/// rounding are one: where a curve touches zero, and of an angle that is a right one.
 fn quadratic_roots<R: Real>(a: R, b: R, c: R) -> [R; 2] {
     let discriminant = b * b - a * c;
-    if discriminant < R::ZERO {
+    let rounding = R::from_f64(8.0) * R::EPSILON * b * b;
+    if discriminant < -rounding {
         return [R::NAN; 2];
     }
-    let root = discriminant.sqrt();
+    let root = if discriminant.abs() <= rounding {
+        R::ZERO
+    } else {
+        discriminant.sqrt()
+    };
     let q = if b < R::ZERO { root - b } else { -(b + root) };
     [q / a, c / q]
 }

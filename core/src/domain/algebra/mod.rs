@@ -33,6 +33,8 @@ pub trait Arithmetic<R: Real>: Copy {
     fn scaled(self, factor: R) -> Self {
         self.times(Self::constant(factor))
     }
+    /// The same quantity, known less exactly by so much.
+    fn widened(self, by: R) -> Self;
 }
 
 /// What features are computed in.
@@ -57,8 +59,6 @@ pub trait Algebra<R: Real>: Arithmetic<R> {
     fn known(self) -> Option<R>;
     /// A number and how far it is from this quantity at most; `None` if that is unknown.
     fn about(self) -> Option<(R, R)>;
-    /// The same quantity, known less exactly by so much.
-    fn widened(self, by: R) -> Self;
     /// What follows from some vectors, as a length that changes by no more than the one of
     /// them does that changes most, and by `slack` for all else that is not known.
     fn length_of<const N: usize>(

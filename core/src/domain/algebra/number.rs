@@ -20,6 +20,9 @@ impl<R: Real> Arithmetic<R> for R {
     fn times(self, other: R) -> R {
         self * other
     }
+    fn widened(self, _: R) -> R {
+        self
+    }
 }
 
 impl<R: Real> Measure<R> for R {
@@ -53,9 +56,6 @@ impl<R: Real> Algebra<R> for R {
     }
     fn about(self) -> Option<(R, R)> {
         Some((self, R::ZERO))
-    }
-    fn widened(self, _: R) -> R {
-        self
     }
     fn length_of<const N: usize>(
         vectors: [[R; 3]; N],

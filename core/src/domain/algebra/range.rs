@@ -61,6 +61,12 @@ impl<R: Real> Arithmetic<R> for Range<R> {
             high: a.max(b).max(c.max(d)),
         }
     }
+    fn widened(self, by: R) -> Self {
+        Range {
+            low: self.low - by,
+            high: self.high + by,
+        }
+    }
 }
 
 impl<R: Real> Measure<R> for Range<R> {
@@ -113,12 +119,6 @@ impl<R: Real> Algebra<R> for Range<R> {
     fn about(self) -> Option<(R, R)> {
         let half = (self.high - self.low) * R::from_f64(0.5);
         half.is_finite().then(|| (self.low + half, half))
-    }
-    fn widened(self, by: R) -> Self {
-        Range {
-            low: self.low - by,
-            high: self.high + by,
-        }
     }
     fn length_of<const N: usize>(
         vectors: [[Self; 3]; N],

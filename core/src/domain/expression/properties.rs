@@ -41,6 +41,7 @@ impl Domain<'_> {
             | Quantity::Sight(..) => Some(Dimension::Length),
             Quantity::Coordinate(Coordinate::Theta, _)
             | Quantity::Angle(..)
+            | Quantity::Off(..)
             | Quantity::VertexAngle(..) => Some(Dimension::Angle),
         }
     }
@@ -106,6 +107,7 @@ impl Domain<'_> {
             | Quantity::Coordinate(..)
             | Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::Off(..)
             | Quantity::VertexAngle(..) => [None; 2],
         };
         let bodies = points.into_iter().flatten();

@@ -39,6 +39,7 @@ functions! {
         Some(Quantity::Angle(0, 1)),
         Some(Quantity::VertexAngle(0, 1, 2)),
     ),
+    "off": Function::OfPoints(Some(Quantity::Off(0, 1)), None),
     "clear": related(Relation::Clear),
     "inside": related(Relation::Inside),
     "inside_x": related(Relation::InsideAlong(Axis::X)),

@@ -93,6 +93,7 @@ impl Domain<'_> {
             }
             Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::Off(..)
             | Quantity::Relation(..)
             | Quantity::VertexAngle(..) => {
                 out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;

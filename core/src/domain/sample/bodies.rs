@@ -79,6 +79,7 @@ impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
             | Quantity::Coordinate(..)
             | Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::Off(..)
             | Quantity::VertexAngle(..) => None,
         }
     }
@@ -170,6 +171,9 @@ impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
 }
 
 /// The vector from one point to another.
-fn between<R: Real, A: Arithmetic<R>>([x, y, z]: [A; 3], [to_x, to_y, to_z]: [A; 3]) -> [A; 3] {
+pub(super) fn between<R: Real, A: Arithmetic<R>>(
+    [x, y, z]: [A; 3],
+    [to_x, to_y, to_z]: [A; 3],
+) -> [A; 3] {
     [to_x.minus(x), to_y.minus(y), to_z.minus(z)]
 }

@@ -12,6 +12,7 @@ use super::scene::{MAX_SAMPLE_POINTS, Scene, is_zero, parameter};
 use super::turns::Turn;
 use crate::geometry::Rotation;
 use crate::real::Real;
+use bodies::between;
 use heapless::Vec;
 
 /// Where a sample point is: its origin may vary with the parameters.
@@ -111,6 +112,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             Node::Quantity(Quantity::Coordinate(coordinate, p)) => self.coordinate(coordinate, p),
             Node::Quantity(Quantity::Distance(metric, a, b)) => self.distance(metric, a, b),
             Node::Quantity(Quantity::Angle(a, b)) => self.angle(a, b),
+            Node::Quantity(Quantity::Off(a, b)) => self.off(a, b),
             Node::Quantity(Quantity::VertexAngle(a, vertex, b)) => self.vertex_angle(a, vertex, b),
             Node::Quantity(quantity @ (Quantity::Relation(..) | Quantity::Sight(..))) => {
                 self.between_bodies(quantity)
@@ -179,13 +181,18 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
         }
     }
 
+    fn off(&self, a: u8, b: u8) -> A::Measure {
+        let direction = between(self.origin(b), self.origin(a));
+        match self.heading(b) {
+            Some((heading, slack)) => A::angle(direction, heading.map(A::constant)).widened(slack),
+            None => A::Measure::unknown(),
+        }
+    }
+
     #[inline(never)]
     fn vertex_angle(&self, a: u8, vertex: u8, b: u8) -> A::Measure {
         let at = self.origin(vertex);
-        let [to_a, to_b] = [a, b].map(|point| {
-            let [[x, y, z], [ox, oy, oz]] = [self.origin(point), at];
-            [x.minus(ox), y.minus(oy), z.minus(oz)]
-        });
+        let [to_a, to_b] = [a, b].map(|point| between(at, self.origin(point)));
         A::angle(to_a, to_b)
     }
 
