@@ -206,11 +206,14 @@
  *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" | "off" )
  *                   "(" path "," path ")"
  *               | "angle" "(" path "," path "," path ")"    (* at the second point *)
+ *               | "angle" "(" path "," path "," symmetry ")"     (* of headings *)
  *               | relation "(" path "," path ")"  (* between their bodies *)
  *               | "clear" "(" line "," path ")"
  *               | "area" "(" name ")" ;
  *     relation  = "clear" | "inside" | "inside_x" | "inside_y" | "inside_z" | "over"
  *               | "corner" | "x_in" | "y_in" | "z_in" | "abs_x_in" | "abs_y_in" | "abs_z_in" ;
+ *     symmetry  = plain { "*" plain } | "symmetry" number ;   (* 2 pi / n, or n *)
+ *     plain     = number | "pi" | path ;
  *     line      = ( "line" | "sweep" ) "(" path "," path ")" ;
  *     path      = name { "." name } ;
  *     name      = ( letter | "_" ) { letter | digit | "_" } ;
@@ -221,6 +224,11 @@
  * rectangle of constant sizes on an object adds the points left, right, bottom, top and,
  * for rectangles, centre. Offsets, turns and sizes are made of numbers, constants,
  * attributes and parameters. Only quantities of one dimension are added and compared.
+ *
+ * The angle of two headings is in [0, pi]. Where one of them belongs to a thing that looks
+ * the same after a turn by 2*pi/n, for a whole n from 2 to 12, angle(a, b, pi), as of a bar,
+ * angle(a, b, 0.5*pi), as of a square, or in general angle(a, b, symmetry n) is how far the
+ * angle is from the nearest such turn: in [0, pi/n].
  *
  * BODIES
  *

@@ -31,11 +31,14 @@
 //! extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over the members of a group *)
 //! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" | "off" ) "(" path "," path ")"
 //!           | "angle" "(" path "," path "," path ")"         (* at the second point *)
+//!           | "angle" "(" path "," path "," symmetry ")"     (* of headings *)
 //!           | relation "(" path "," path ")"                 (* between their bodies *)
 //!           | "clear" "(" line "," path ")"
 //!           | "area" "(" name ")" ;
 //! relation  = "clear" | "inside" | "inside_x" | "inside_y" | "inside_z" | "over" | "corner"
 //!           | "x_in" | "y_in" | "z_in" | "abs_x_in" | "abs_y_in" | "abs_z_in" ;
+//! symmetry  = plain { "*" plain } | "symmetry" number ;      (* 2 pi / n, or n *)
+//! plain     = number | "pi" | path ;
 //! line      = ( "line" | "sweep" ) "(" path "," path ")" ;   (* from point to point *)
 //! path      = name { "." name } ;
 //! name      = ( letter | "_" ) { letter | digit | "_" } ;
@@ -48,6 +51,10 @@
 //! (thesis 4.2).
 //! Offsets, turns and sizes are made of numbers, constants, attributes and
 //! parameters; a point that depends on a parameter is a sample point.
+//!
+//! The angle of two headings is in `[0, pi]`. Where one of them belongs to a thing that looks
+//! the same after a turn by `2 pi / n`, `angle(a, b, pi)`, `angle(a, b, 0.5*pi)` or in general
+//! `angle(a, b, symmetry n)` is how far it is from the nearest such turn, in `[0, pi / n]`.
 //!
 //! # Bodies
 //!
@@ -137,7 +144,7 @@ pub use declarations::{
 };
 pub use dimension::Dimension;
 pub use expression::{Dependence, MAX_DEPTH};
-pub use node::{Beam, Coordinate, Extreme, Metric, Node, NodeId, Quantity};
+pub use node::{Beam, Coordinate, Extreme, Metric, Node, NodeId, Quantity, SYMMETRIES};
 pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};

@@ -92,6 +92,23 @@ fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
     }
 }
 
+/// The angles of headings, of the sample or not, where things look the same after half a
+/// turn, a third, a quarter or a sixth of one.
+#[allow(dead_code)]
+pub(super) fn folded_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
+    for symmetry in [2, 3, 4, 6] {
+        for (a, first) in (0u8..).zip(domain.points()) {
+            for (b, second) in (0u8..a).zip(domain.points()) {
+                let turned = first.has_heading() && second.has_heading();
+                if turned && (first.sampled || second.sampled) == sampled {
+                    let (a, b) = ordered((a, first), (b, second));
+                    say(domain, Quantity::FoldedAngle(symmetry, a, b), visit);
+                }
+            }
+        }
+    }
+}
+
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
 /// Whether a point has a body with corners.
@@ -378,6 +395,33 @@ mod tests {
         );
         let without = domain.replace("shape", "#");
         assert_eq!(said_with(&without, &["off", "min(off"]), [""; 0]);
+    }
+
+    #[test]
+    fn folded_angles_are_of_each_pair_of_headings() {
+        let domain = "object bar { x: length, y: length, theta: angle }
+            object nut[2] { x: length, y: length, theta: angle }
+            parameter p in [0, 1]: angle
+            point hand = world turned p point tip = hand + (1, 0)";
+        let domain = Domain::parse(domain).unwrap();
+        let said = |sampled: bool| {
+            let mut said = Vec::new();
+            folded_angles(&domain, sampled, &mut |term| {
+                said.push(written(&domain, term));
+            });
+            said
+        };
+        let of_nut = |symmetry| ["min", "max"].map(|extreme| format!("{extreme}({symmetry})"));
+        let mut expected: Vec<_> = Vec::new();
+        for symmetry in ["pi", "symmetry 3", "0.5*pi", "symmetry 6"] {
+            expected.push(format!("angle(hand, bar, {symmetry})"));
+            expected.extend(of_nut(format!("angle(hand, nut, {symmetry})")));
+        }
+        assert_eq!(said(true), expected);
+        let standing = said(false);
+        assert_eq!(standing.len(), 2 * 4);
+        assert_eq!(standing.first().unwrap(), "min(angle(nut, bar, pi))");
+        assert_eq!(standing.last().unwrap(), "max(angle(nut, bar, symmetry 6))");
     }
 
     #[test]

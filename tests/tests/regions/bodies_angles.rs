@@ -1,4 +1,4 @@
-//! Angles to and between bodies: `off(a, b)`.
+//! Angles to and between bodies: `off(a, b)`, and `angle(a, b, symmetry)`.
 
 use super::bodies::{check_draws, check_ranges};
 use critreg::domain::Domain;
@@ -189,6 +189,169 @@ fn ranges_of_angles_are_never_too_small() {
             let mut numbers = [0; 7].map(|_| uniform_in(&mut rng, -1.0, 1.0));
             numbers[2] = heading(&mut rng);
             check_ranges(&domain, &numbers, text, |size| PI + size, &mut rng);
+        }
+    }
+}
+
+const NUTS: &str = "
+    object bar { x: length, y: length, theta: angle }
+    object nut[3] { x: length, y: length, theta: angle }
+    constant fifth = 1.2566370614359172: angle
+    parameter yaw in [-7, 3.5]: angle
+    parameter tilt in [-1, 1]: angle
+    point hand = world turned (2 * yaw)
+    point tool = bar turned (0.25 - yaw)
+    point finger = hand + (1, 0)
+    point leaning = world turned (yaw, tilt, 0)
+";
+
+/// How far an angle is from the nearest multiple of `2 pi / n`.
+fn folded(angle: f64, n: u8) -> f64 {
+    let step = 2.0 * PI / f64::from(n);
+    let rest = angle.rem_euclid(step);
+    rest.min(step - rest)
+}
+
+#[test]
+fn symmetries_read_back_as_they_are_written() {
+    let domain = Domain::parse(NUTS).unwrap();
+    let written = |text: &str| {
+        let region = Region::parse(&domain, text).expect(text);
+        text::of_region(&domain, &region)
+    };
+    for text in [
+        "angle(hand, bar, pi) <= 0.5",
+        "min(angle(hand, nut, 0.5*pi)) <= 0.5",
+        "angle(finger, tool, symmetry 3) >= 0",
+        "max(angle(bar, nut, symmetry 12)) >= 0 and angle(hand, bar) <= 1",
+    ] {
+        assert_eq!(written(text), text);
+    }
+    for (said, meant) in [
+        ("symmetry 2", "pi"),
+        ("pi * 0.5", "0.5*pi"),
+        ("2 * pi * 0.5 * 0.5", "0.5*pi"),
+        ("0.6666666667 * pi", "symmetry 3"),
+        ("fifth", "symmetry 5"),
+        ("0.25 * pi", "symmetry 8"),
+    ] {
+        let [said, meant] = [said, meant].map(|third| format!("angle(hand, bar, {third}) <= 1"));
+        assert_eq!(written(&said), meant);
+    }
+    const WRONG: &str = "line 1, column 18: a symmetry is 2*pi/n for a whole n from 2 to 12: \
+                         pi, 0.5*pi, or symmetry 3";
+    for third in [
+        "2 * pi",
+        "0.7 * pi",
+        "symmetry 1",
+        "symmetry 13",
+        "symmetry pi",
+        "0",
+        "yaw",
+    ] {
+        let error = Region::parse(&domain, &format!("angle(hand, bar, {third}) <= 1"));
+        assert_eq!(error.unwrap_err().to_string(), WRONG, "{third}");
+    }
+    let unknown = Region::parse(&domain, "angle(hand, bar, nothing) <= 1").unwrap_err();
+    assert_eq!(unknown.to_string(), "line 1, column 18: unknown point");
+}
+
+/// One parameter turns a thing, by more than a full turn if it has few symmetries, and the set
+/// is exact.
+#[test]
+fn intervals_of_folded_angles_are_exact() {
+    let flat = NUTS.replace(
+        "parameter tilt in [-1, 1]: angle",
+        "constant tilt = 0: angle",
+    );
+    let mut rng = generator(4);
+    for n in 2..=12_u8 {
+        type Case = (&'static str, fn(&[f64], f64, u8) -> f64);
+        let cases: [Case; 3] = [
+            ("angle(hand, bar, symmetry N)", |numbers, yaw, n| {
+                folded(2.0 * yaw - numbers[2], n)
+            }),
+            ("angle(tool, finger, symmetry N)", |numbers, yaw, n| {
+                folded(numbers[2] + 0.25 - 3.0 * yaw, n)
+            }),
+            ("min(angle(hand, nut, symmetry N))", |numbers, yaw, n| {
+                folded(2.0 * yaw - numbers[5], n).min(folded(2.0 * yaw - numbers[8], n))
+            }),
+        ];
+        let [low, high] = if n <= 3 { [-7, 2] } else { [-1, 1] };
+        let text = flat.replace("[-7, 3.5]", &format!("[{low}, {high}]"));
+        let domain = Domain::parse(&text).unwrap();
+        for (relation, value) in cases {
+            let relation = relation.replace('N', &n.to_string());
+            for bound in [0.0, 0.9, 0.25].map(|share| share * PI / f64::from(n)) {
+                let region = format!("{relation} >= {bound}");
+                let region = Region::parse(&domain, &region).unwrap();
+                for _ in 0..6 {
+                    let mut numbers = [0.0; 12];
+                    for theta in [2, 5, 8] {
+                        numbers[theta] = heading(&mut rng);
+                    }
+                    numbers[9..].fill(f64::NAN);
+                    let grounded = region.ground::<f64>(&domain, &numbers).unwrap();
+                    let set = grounded.intervals().unwrap();
+                    assert!(set.is_exact(), "{relation}");
+                    for step in 100 * low..=100 * high {
+                        let yaw = f64::from(step) / 100.0;
+                        let found = value(&numbers, yaw, n);
+                        if (found - bound).abs() > 1e-6 {
+                            let what = format!("{relation} >= {bound} at {yaw}: {found}, {set:?}");
+                            assert_eq!(set.contains(yaw), found >= bound, "{what}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Where an x axis is tilted, it is the angle between the axes that is folded.
+#[test]
+fn folded_angles_of_tilted_axes() {
+    let domain = Domain::parse(NUTS).unwrap();
+    let mut rng = generator(5);
+    for n in [2, 3, 4, 12] {
+        let text = format!("angle(leaning, bar, symmetry {n}) <= 0.1");
+        let region = Region::parse(&domain, &text).unwrap();
+        for _ in 0..400 {
+            let mut numbers = [0.0; 12];
+            numbers[2] = heading(&mut rng);
+            let theta = [
+                uniform_in(&mut rng, -7.0, 3.5),
+                uniform_in(&mut rng, -1.0, 1.0),
+            ];
+            let cosine = (theta[0] - numbers[2]).cos() * theta[1].cos();
+            let found = folded(cosine.acos(), n);
+            if (found - 0.1).abs() > 1e-9 {
+                let contained = region.contains::<f64>(&domain, &numbers, &theta).unwrap();
+                assert_eq!(contained, found <= 0.1, "{n}: {theta:?}, {numbers:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn ranges_of_folded_angles_are_never_too_small() {
+    let domain = Domain::parse(NUTS).unwrap();
+    let mut rng = generator(6);
+    for n in 2..=12 {
+        for text in [
+            format!("angle(hand, bar, symmetry {n})"),
+            format!("angle(tool, hand, symmetry {n})"),
+            format!("max(angle(finger, nut, symmetry {n}))"),
+            format!("angle(leaning, bar, symmetry {n})"),
+        ] {
+            for _ in 0..60 {
+                let mut numbers = [0.0; 12];
+                for theta in [2, 5, 8, 11] {
+                    numbers[theta] = heading(&mut rng);
+                }
+                check_ranges(&domain, &numbers, &text, |size| 3.0 * size + 1e-9, &mut rng);
+            }
         }
     }
 }

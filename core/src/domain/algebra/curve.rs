@@ -224,6 +224,11 @@ impl<R: Real> Algebra<R> for Line<R> {
             bend: Bend::Angle(dot(moving, direction)),
         }
     }
+    /// It is one curve only where it does not vary; else there is one for each multiple.
+    fn folded(self, period: R) -> Curve<R> {
+        let known = self.known();
+        known.map_or_else(Curve::unknown, |at| Curve::constant(at.folded(period)))
+    }
     fn known(self) -> Option<R> {
         (self.slope == R::ZERO).then_some(self.at)
     }

@@ -55,6 +55,8 @@ pub trait Algebra<R: Real>: Arithmetic<R> {
     fn norm(vector: [Self; 3]) -> Self::Measure;
     /// The angle between two vectors, in `[0, pi]`; zero if one of them is zero.
     fn angle(a: [Self; 3], b: [Self; 3]) -> Self::Measure;
+    /// How far it is from the nearest multiple of a number.
+    fn folded(self, period: R) -> Self::Measure;
     /// The number, if it does not vary.
     fn known(self) -> Option<R>;
     /// A number and how far it is from this quantity at most; `None` if that is unknown.

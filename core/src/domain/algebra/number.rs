@@ -51,6 +51,10 @@ impl<R: Real> Algebra<R> for R {
     fn angle(a: [R; 3], b: [R; 3]) -> R {
         R::norm(cross(a, b)).atan2(dot(a, b))
     }
+    fn folded(self, period: R) -> R {
+        let half = R::from_f64(0.5);
+        (self - period * (self / period + half).floor()).abs()
+    }
     fn known(self) -> Option<R> {
         Some(self)
     }

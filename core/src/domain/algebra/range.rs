@@ -113,6 +113,29 @@ impl<R: Real> Algebra<R> for Range<R> {
             high: angle(dot.low, [high, low]),
         }
     }
+    fn folded(self, period: R) -> Self {
+        let half = period * R::from_f64(0.5);
+        let nearest = period * (self.low / period + R::from_f64(0.5)).floor();
+        let (low, high) = (self.low - nearest, self.high - nearest);
+        // The lower end is at most half a period from zero, the upper one is above it.
+        let is_narrow = high - low < period;
+        if !is_narrow {
+            return Range {
+                low: R::ZERO,
+                high: half,
+            };
+        }
+        let passes_multiple = low <= R::ZERO && high >= R::ZERO || high >= period;
+        let (one, other) = (low.abs(), high.folded(period));
+        Range {
+            low: if passes_multiple {
+                R::ZERO
+            } else {
+                one.min(other)
+            },
+            high: if high >= half { half } else { one.max(other) },
+        }
+    }
     fn known(self) -> Option<R> {
         (self.low == self.high).then_some(self.low)
     }

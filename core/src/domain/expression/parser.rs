@@ -3,7 +3,7 @@
 use super::properties::product_dimension;
 use super::words::{self, Function, UNKNOWN_FUNCTION};
 use crate::domain::node::intern;
-use crate::domain::{Beam, Dimension, Domain, Extreme, Node, NodeId, Quantity};
+use crate::domain::{Beam, Dimension, Domain, Extreme, Node, NodeId, Quantity, SYMMETRIES};
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Place, Token, split_at_last_dot};
 use heapless::VecView;
@@ -231,11 +231,51 @@ impl ExpressionParser<'_, '_, '_> {
         lexer.expect(",", SECOND_POINT)?;
         let b = self.point(lexer)?;
         let (example, c) = match (two, three) {
-            (_, Some(three)) if lexer.accept(",") => (three, self.point(lexer)?),
+            (_, Some(three)) if lexer.accept(",") => match self.symmetry(lexer)? {
+                Some(symmetry) => (Quantity::FoldedAngle(symmetry, a, b), b),
+                None => (three, self.point(lexer)?),
+            },
             (Some(two), _) => (two, b),
             (None, _) => return Err(lexer.fail("expected `,` and a third point")),
         };
         Ok(Node::Quantity(example.with_points([a, b, c])))
+    }
+
+    /// Reads a symmetry: the angle of a turn, as a product of numbers, or how many of them
+    /// make a full turn. `None` where the name of a point stands, or of nothing.
+    fn symmetry(&self, lexer: &mut Lexer<'_>) -> Result<Option<u8>, Failed> {
+        const WHAT: &str =
+            "a symmetry is 2*pi/n for a whole n from 2 to 12: pi, 0.5*pi, or symmetry 3";
+        const _: () = assert!(*SYMMETRIES.start() == 2 && *SYMMETRIES.end() == 12);
+        let at = lexer.place();
+        if let Token::Name(name) = lexer.token() {
+            let is_word = name == words::SYMMETRY || self.name(name).is_some();
+            if !is_word || self.domain.find_point(name).is_some() {
+                return Ok(None);
+            }
+        }
+        let turns = if lexer.accept(words::SYMMETRY) {
+            self.number(lexer)
+        } else {
+            let mut angle = self.number(lexer);
+            while lexer.accept("*") {
+                angle = angle.zip(self.number(lexer)).map(|(a, b)| a * b);
+            }
+            angle.map(|angle| core::f64::consts::TAU / angle)
+        };
+        let is_near = |n: &u8| turns.is_some_and(|turns| (turns - f64::from(*n)).abs() <= 1e-6);
+        let symmetry = SYMMETRIES.into_iter().find(is_near);
+        symmetry.map(Some).ok_or_else(|| lexer.fail_at(at, WHAT))
+    }
+
+    /// Reads a plain number, pi or a constant.
+    fn number(&self, lexer: &mut Lexer<'_>) -> Option<f64> {
+        let node = match lexer.advance() {
+            Token::Number(value) => Node::Number(value),
+            Token::Name(name) => self.name(name)?,
+            _ => return None,
+        };
+        self.domain.constant_value(&[node], NodeId(0))
     }
 
     /// Reads the ends of a line and the body that it is to be clear of.

@@ -41,6 +41,7 @@ impl Domain<'_> {
             | Quantity::Sight(..) => Some(Dimension::Length),
             Quantity::Coordinate(Coordinate::Theta, _)
             | Quantity::Angle(..)
+            | Quantity::FoldedAngle(..)
             | Quantity::Off(..)
             | Quantity::VertexAngle(..) => Some(Dimension::Angle),
         }
@@ -107,6 +108,7 @@ impl Domain<'_> {
             | Quantity::Coordinate(..)
             | Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::FoldedAngle(..)
             | Quantity::Off(..)
             | Quantity::VertexAngle(..) => [None; 2],
         };

@@ -78,6 +78,9 @@ const COORDINATES: &[(&str, Coordinate)] = &[
     ("theta", Coordinate::Theta),
 ];
 
+/// The word before the number of ways in which a thing can be turned and look the same.
+pub(super) const SYMMETRY: &str = "symmetry";
+
 /// The number pi.
 pub(super) const PI: &str = "pi";
 
@@ -126,6 +129,7 @@ fn meaning<T: Copy>(words: &[(&str, T)], name: &str) -> Option<T> {
 pub(super) fn name_of_quantity(quantity: Quantity) -> Option<&'static str> {
     let example = match quantity.with_points([0, 1, 2]) {
         Quantity::Sight(..) => CLEAR,
+        Quantity::FoldedAngle(_, a, b) => Quantity::Angle(a, b),
         example => example,
     };
     name(FUNCTIONS, |function| match *function {

@@ -99,6 +99,18 @@ impl Domain<'_> {
                 out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;
                 self.write_points(out, quantity.points())
             }
+            Quantity::FoldedAngle(symmetry, a, b) => {
+                out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;
+                out.write_char('(')?;
+                self.write_point(out, a)?;
+                out.write_str(", ")?;
+                self.write_point(out, b)?;
+                match symmetry {
+                    2 => write!(out, ", {})", words::PI),
+                    4 => write!(out, ", 0.5*{})", words::PI),
+                    n => write!(out, ", {} {n})", words::SYMMETRY),
+                }
+            }
             Quantity::Sight(beam, a, b, body) => {
                 out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;
                 out.write_char('(')?;

@@ -79,6 +79,7 @@ impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
             | Quantity::Coordinate(..)
             | Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::FoldedAngle(..)
             | Quantity::Off(..)
             | Quantity::VertexAngle(..) => None,
         }

@@ -2,9 +2,13 @@
 
 use super::Sample;
 use super::bodies::Bodies;
-use crate::domain::algebra::{Arithmetic, Curve, Line};
-use crate::domain::node::{Node, NodeId, Quantity};
+use crate::domain::algebra::{Algebra, Arithmetic, Curve, Line, Range};
+use crate::domain::node::{Node, NodeId, Quantity, period};
+use crate::domain::schema::MAX_PARAMETERS;
 use crate::real::Real;
+
+/// More multiples than that are too many to try each.
+const MAX_MULTIPLES: f64 = 1000.0;
 
 /// Along a line, an extreme and a relation between bodies are made of curves, of which one
 /// counts at each position.
@@ -50,25 +54,54 @@ impl<R: Real> Sample<'_, '_, R, Line<R>> {
 
     /// One curve of a quantity.
     fn curve(&self, quantity: Quantity, index: usize) -> Curve<R> {
-        let nowhere = || Curve::constant(R::INFINITY);
-        match self.bodies(quantity) {
-            Some((bodies, _)) if bodies.are_absent() => nowhere(),
-            Some((Bodies::Pair(pair, difference), _)) => {
-                pair.piece(index, difference).unwrap_or_else(nowhere)
-            }
-            Some((Bodies::Sight(sight, ends), _)) => {
-                sight.piece(index, ends).unwrap_or_else(nowhere)
-            }
-            None => self.leaf(Node::Quantity(quantity)),
-        }
+        let curve = match (quantity, self.bodies(quantity)) {
+            (Quantity::FoldedAngle(n, a, b), _) => self.folded(n, [a, b], index),
+            (_, Some((bodies, _))) if bodies.are_absent() => None,
+            (_, Some((Bodies::Pair(pair, difference), _))) => pair.piece(index, difference),
+            (_, Some((Bodies::Sight(sight, ends), _))) => sight.piece(index, ends),
+            (_, None) => Some(self.leaf(Node::Quantity(quantity))),
+        };
+        curve.unwrap_or_else(|| Curve::constant(R::INFINITY))
     }
 
     fn piece_count(&self, quantity: Quantity) -> usize {
-        match self.bodies(quantity) {
-            Some((Bodies::Pair(pair, _), _)) => pair.piece_count(),
-            Some((Bodies::Sight(sight, ends), _)) => sight.piece_count(ends),
-            None => 1,
+        match (quantity, self.bodies(quantity)) {
+            (Quantity::FoldedAngle(n, a, b), _) => {
+                let multiples = self.multiples(n, [a, b]);
+                multiples.map_or(1, |(_, count)| count)
+            }
+            (_, Some((Bodies::Pair(pair, _), _))) => pair.piece_count(),
+            (_, Some((Bodies::Sight(sight, ends), _))) => sight.piece_count(ends),
+            (_, None) => 1,
         }
+    }
+
+    /// How far a folded angle is from one of the multiples that can be the nearest one.
+    fn folded(&self, symmetry: u8, points: [u8; 2], index: usize) -> Option<Curve<R>> {
+        let turned = self.scene.turned(points, self.theta);
+        let (Some(turned), Some((first, count))) = (turned, self.multiples(symmetry, points))
+        else {
+            return Some(self.folded_angle(symmetry, points));
+        };
+        let multiple = (index < count).then_some(first + index as f64)?;
+        let from = Line::constant(R::from_f64(multiple * period(symmetry)));
+        let zero = Line::constant(R::ZERO);
+        Some(Line::norm([turned.minus(from), zero, zero]))
+    }
+
+    /// The first and the number of the multiples that an angle between two points can be
+    /// nearest to, with whatever parameters.
+    fn multiples(&self, symmetry: u8, points: [u8; 2]) -> Option<(f64, usize)> {
+        let mut all = [Range::constant(R::ZERO); MAX_PARAMETERS];
+        for (range, parameter) in all.iter_mut().zip(self.scene.domain.parameters()) {
+            let [low, high] = [parameter.low, parameter.high].map(R::from_f64);
+            *range = Range { low, high };
+        }
+        let Range { low, high } = self.scene.turned(points, &all)?;
+        let nearest = |end: R| libm::floor(end.to_f64() / period(symmetry) + 0.5);
+        let [first, last] = [low, high].map(nearest);
+        let count = last - first;
+        (count < MAX_MULTIPLES).then_some((first, 1 + count as usize))
     }
 
     fn most_pieces(&self, quantity: Quantity) -> usize {

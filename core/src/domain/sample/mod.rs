@@ -7,7 +7,7 @@ mod sight;
 
 use super::algebra::{Algebra, Arithmetic, Measure};
 use super::declarations::{Base, Point};
-use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
+use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity, period};
 use super::scene::{MAX_SAMPLE_POINTS, Scene, is_zero, parameter};
 use super::turns::Turn;
 use crate::geometry::Rotation;
@@ -112,6 +112,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             Node::Quantity(Quantity::Coordinate(coordinate, p)) => self.coordinate(coordinate, p),
             Node::Quantity(Quantity::Distance(metric, a, b)) => self.distance(metric, a, b),
             Node::Quantity(Quantity::Angle(a, b)) => self.angle(a, b),
+            Node::Quantity(Quantity::FoldedAngle(n, a, b)) => self.folded_angle(n, [a, b]),
             Node::Quantity(Quantity::Off(a, b)) => self.off(a, b),
             Node::Quantity(Quantity::VertexAngle(a, vertex, b)) => self.vertex_angle(a, vertex, b),
             Node::Quantity(quantity @ (Quantity::Relation(..) | Quantity::Sight(..))) => {
@@ -172,13 +173,22 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 
     fn angle(&self, a: u8, b: u8) -> A::Measure {
-        let headings = (self.heading(a), self.heading(b));
-        match headings {
-            (Some((a, first)), Some((b, second))) => A::constant(R::angle(a, b))
-                .widened(first + second)
-                .measure(),
-            _ => A::Measure::unknown(),
-        }
+        let angle = self.angle_of_axes([a, b]);
+        angle.map_or_else(A::Measure::unknown, A::measure)
+    }
+
+    /// The angle between the x axes of two points.
+    fn angle_of_axes(&self, points: [u8; 2]) -> Option<A> {
+        let [(a, first), (b, second)] = both(points.map(|point| self.heading(point)))?;
+        Some(A::constant(R::angle(a, b)).widened(first + second))
+    }
+
+    #[inline(never)]
+    fn folded_angle(&self, symmetry: u8, points: [u8; 2]) -> A::Measure {
+        let turned = self.scene.turned(points, self.theta);
+        let angle = turned.or_else(|| self.angle_of_axes(points));
+        let period = R::from_f64(period(symmetry));
+        angle.map_or_else(A::Measure::unknown, |angle| angle.folded(period))
     }
 
     fn off(&self, a: u8, b: u8) -> A::Measure {
@@ -324,6 +334,10 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     fn keep(&mut self, rotation: &Rotation<R>) -> Turn {
         Turn::keep(rotation, &mut self.rotations).unwrap_or(Turn::Unknown)
     }
+}
+
+fn both<T>([a, b]: [Option<T>; 2]) -> Option<[T; 2]> {
+    Some([a?, b?])
 }
 
 /// How far apart the ends of a unit vector are that is turned by at most an angle.

@@ -407,6 +407,7 @@ impl<'m, R: Real> Forms<'m, R> {
                 ..,
             )
             | Quantity::Angle(..)
+            | Quantity::FoldedAngle(..)
             | Quantity::Off(..)
             | Quantity::VertexAngle(..) => tuning.axis_class,
             Quantity::Relation(..) | Quantity::Attribute(_) => 0.0,
