@@ -188,7 +188,8 @@
  *     dimension = "length" | "angle" | "area" | "flag" | "none" ;
  *     constant  = "constant" path "=" expr ":" dimension ;
  *     parameter = "parameter" name "in" "[" expr "," expr "]" [ ":" dimension ] ;
- *     shape     = "shape" path "=" solid [ "rounded" factor ] [ "centred" ] ;
+ *     shape     = "shape" path "=" ( solid [ "rounded" factor ] [ "centred" ] | "none" )
+ *               | "shape" name "=" path { "+" path } ;    (* of earlier bodies *)
  *     solid     = "circle" "(" expr ")"           (* a ball in space *)
  *               | "rectangle" "(" expr "," expr ")"         (* a plate in space *)
  *               | "box" "(" expr "," expr "," expr ")"
@@ -257,6 +258,11 @@
  * off(sign, eye) <= 0.5 says that the sign is in a cone about the x axis of the eye: it is the
  * angle between that axis and the direction from the eye to the sign.
  *
+ * Several bodies may have one name, as "shape gripper = left + right": clear(gripper, can),
+ * inside(gripper, tray), over and corner are the least value over the parts, and clear also
+ * takes such a name as its second body. A name whose shape is none is only there for others
+ * to be placed in: learners say nothing of how it lies to things.
+ *
  * A point without a shape is a body without extent. A size below zero is that of an absent
  * body, of which no constraint holds; an absent member of a group is passed over.
  *
@@ -270,10 +276,11 @@
  *
  * Limits: CRITREG_DOMAIN_TEXT_MAX bytes; 16 types, 64 attributes of types, 32
  * objects, 8 groups, 255 numbers of an instance, 32 constants, 6 parameters, 64
- * points of which 6 depend on a parameter, 16 shapes. Every member of a group
- * counts as an object, with its own numbers and points. A region can refer to 32
- * points, with those they are placed in. A text without an attribute of an object and
- * without a parameter is refused: there is nothing to learn then.
+ * points of which 6 depend on a parameter, 16 shapes with key points, 24 bodies, 4 names
+ * for up to 6 bodies each. Every member of a group counts as an object, with its own
+ * numbers, points and bodies. A region can refer to 32 points, with those they are placed
+ * in. A text without an attribute of an object and without a parameter is refused: there is
+ * nothing to learn then.
  *
  *
  * THE REGION TEXT

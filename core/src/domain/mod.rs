@@ -15,7 +15,8 @@
 //! dimension = "length" | "angle" | "area" | "flag" | "none" ;
 //! constant  = "constant" path "=" expr ":" dimension ;
 //! parameter = "parameter" name "in" "[" expr "," expr "]" [ ":" dimension ] ;
-//! shape     = "shape" path "=" solid [ "rounded" factor ] [ "centred" ] ;
+//! shape     = "shape" path "=" ( solid [ "rounded" factor ] [ "centred" ] | "none" )
+//!           | "shape" name "=" path { "+" path } ;           (* of earlier bodies *)
 //! solid     = "circle" "(" expr ")"                          (* a ball in space *)
 //!           | "rectangle" "(" expr "," expr ")"              (* a plate in space *)
 //!           | "box" "(" expr "," expr "," expr ")"
@@ -88,6 +89,11 @@
 //! point, which drives along it. And `off(sign, eye) <= 0.5` says that the sign is in a cone
 //! about the x axis of the eye: it is the angle between that axis and the direction there.
 //!
+//! Several bodies may have one name: of `shape gripper = left + right` the least value over
+//! the parts counts, so `clear(gripper, can) >= 0` holds of both. Only rooms and clearances
+//! are said of it, and it may be the second body of `clear` only. A name whose shape is `none`
+//! is only there for others to be placed in: learners say nothing of how it lies to things.
+//!
 //! A point without a shape is a body without extent. A size below zero is that of an absent
 //! body, of which no constraint holds.
 //!
@@ -123,6 +129,7 @@
 //! no member is there, a least value is above every bound, and a greatest one below.
 
 mod algebra;
+mod compound;
 mod declarations;
 mod description;
 mod dimension;
@@ -140,7 +147,8 @@ pub(crate) use node::{TermError, copy, intern, is_same};
 
 pub use algebra::{Algebra, Arithmetic, Bend, Curve, Line, Measure, Range};
 pub use declarations::{
-    Attribute, Base, Body, Constant, Group, Member, Object, Parameter, Point, Shape, Solid, Type,
+    Attribute, Base, Body, Compound, Constant, Group, Member, Object, Parameter, Point, Shape,
+    Solid, Type,
 };
 pub use dimension::Dimension;
 pub use expression::{Dependence, MAX_DEPTH};
@@ -149,6 +157,6 @@ pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};
 pub use schema::{
-    Domain, MAX_ATTRIBUTES, MAX_BODIES, MAX_CONSTANTS, MAX_DOMAIN_NODES, MAX_GROUPS, MAX_OBJECTS,
-    MAX_PARAMETERS, MAX_POINTS, MAX_SHAPES, MAX_TYPES,
+    Domain, MAX_ATTRIBUTES, MAX_BODIES, MAX_COMPOUNDS, MAX_CONSTANTS, MAX_DOMAIN_NODES, MAX_GROUPS,
+    MAX_OBJECTS, MAX_PARAMETERS, MAX_PARTS, MAX_POINTS, MAX_SHAPES, MAX_TYPES,
 };

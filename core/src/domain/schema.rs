@@ -1,9 +1,11 @@
 //! A domain: the lists of what it declares, and look-ups in them.
 
 use super::declarations::{
-    Attribute, Base, Body, Constant, Group, Object, Parameter, Point, PoseSlots, Shape, Type,
+    Attribute, Base, Body, Compound, Constant, Group, Object, Parameter, Point, PoseSlots, Shape,
+    Type,
 };
 use super::node::Node;
+use super::point_set::Bits;
 use crate::text::split_at_dot;
 use heapless::Vec;
 
@@ -26,6 +28,10 @@ pub const MAX_POINTS: usize = 64;
 pub const MAX_SHAPES: usize = 16;
 /// Most bodies, those of every member of a group counted; none without the feature `bodies`.
 pub const MAX_BODIES: usize = if cfg!(feature = "bodies") { 24 } else { 0 };
+/// Most compounds; none without the feature `bodies`.
+pub const MAX_COMPOUNDS: usize = if cfg!(feature = "bodies") { 4 } else { 0 };
+/// Most parts of a compound.
+pub const MAX_PARTS: usize = 6;
 /// Most terms in the offsets, turns and sizes of all points and shapes together.
 pub const MAX_DOMAIN_NODES: usize = 128;
 
@@ -42,6 +48,9 @@ pub struct Domain<'t> {
     pub(super) points: Vec<Point<'t>, MAX_POINTS>,
     pub(super) shapes: Vec<(u8, Shape), MAX_SHAPES>,
     pub(super) bodies: Vec<Body, MAX_BODIES>,
+    pub(super) compounds: Vec<Compound<'t>, MAX_COMPOUNDS>,
+    /// The points that no relation is enumerated of.
+    pub(super) hidden: Bits,
     pub(super) nodes: Vec<Node, MAX_DOMAIN_NODES>,
     pub(super) slots: u8,
     pub(super) text: &'t str,
@@ -61,6 +70,8 @@ impl<'t> Domain<'t> {
             points: Vec::new(),
             shapes: Vec::new(),
             bodies: Vec::new(),
+            compounds: Vec::new(),
+            hidden: Bits::NONE,
             nodes: Vec::new(),
             slots: 0,
             text: "",
@@ -131,6 +142,11 @@ impl<'t> Domain<'t> {
     /// The body of a point, if it has one.
     pub fn body_of(&self, point: u8) -> Option<&Body> {
         self.bodies.iter().find(|body| body.point == point)
+    }
+
+    /// Whether a point is none that relations are enumerated of: its shape is `none`.
+    pub fn is_hidden(&self, point: u8) -> bool {
+        self.hidden.has(point)
     }
 
     /// Whether the body of a point is a circle, or a ball.

@@ -4,15 +4,15 @@
 //! Each function calls `visit` instead of returning an iterator: nested iterators of
 //! this kind take a kilobyte of stack, loops next to nothing.
 
-use crate::domain::{Beam, Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Quantity};
-use crate::geometry::{Axis, Relation};
+use super::body_leaves::{offs, parts_of_bodies, whole_bodies};
+use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Quantity};
 
 /// A function that takes one feature after the other.
 pub(super) type Visit<'v> = &'v mut dyn FnMut(Node);
 
 /// Visits what the grammar makes of a quantity: the quantity itself, or, if it is about
 /// the first member of a group, its extremes over the members.
-fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
+pub(super) fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
     let members = domain.members_in(quantity);
     let mut members = members.iter().flatten();
     match (members.next(), members.next()) {
@@ -28,11 +28,19 @@ fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
 
 /// As [`say`], without the greatest value: what is clear of one member of a group need not
 /// be clear of the others.
-fn say_least(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
+pub(super) fn say_least(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
     say(domain, quantity, &mut |term| match term {
         Node::Extreme(Extreme::Greatest, _) => {}
         term => visit(term),
     });
+}
+
+/// The points that relations are enumerated of.
+pub(super) fn shown<'d>(
+    domain: &'d Domain<'_>,
+) -> impl Iterator<Item = (u8, &'d Point<'d>)> + Clone {
+    let points = (0u8..).zip(domain.points());
+    points.filter(|(index, _)| !domain.is_hidden(*index))
 }
 
 /// The attributes of objects.
@@ -78,8 +86,7 @@ fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
     if domain.has_headings() {
         return;
     }
-    let all = (0u8..).zip(domain.points());
-    let points = all.filter(|(_, p)| p.is_object() || p.sampled);
+    let points = shown(domain).filter(|(_, p)| p.is_object() || p.sampled);
     for (vertex, at) in points.clone() {
         for (a, first) in points.clone().filter(|(a, _)| *a != vertex) {
             let others = points.clone().take_while(|(b, _)| *b < a);
@@ -97,106 +104,13 @@ fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
 #[allow(dead_code)]
 pub(super) fn folded_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
     for symmetry in [2, 3, 4, 6] {
-        for (a, first) in (0u8..).zip(domain.points()) {
-            for (b, second) in (0u8..a).zip(domain.points()) {
+        for (a, first) in shown(domain) {
+            for (b, second) in shown(domain).take_while(|(b, _)| *b < a) {
                 let turned = first.has_heading() && second.has_heading();
                 if turned && (first.sampled || second.sampled) == sampled {
                     let (a, b) = ordered((a, first), (b, second));
                     say(domain, Quantity::FoldedAngle(symmetry, a, b), visit);
                 }
-            }
-        }
-    }
-}
-
-const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
-
-/// Whether a point has a body with corners.
-fn has_corners(domain: &Domain<'_>, point: u8) -> bool {
-    let body = domain.body_of(point);
-    body.is_some_and(|body| body.solid.sizes.iter().flatten().nth(1).is_some())
-}
-
-/// What stands somewhere: objects, and points that move or have a body. Other points only
-/// lie on them.
-fn things<'d>(domain: &'d Domain<'_>) -> impl Iterator<Item = (u8, &'d Point<'d>)> {
-    let points = (0u8..).zip(domain.points());
-    points.filter(|(index, point)| {
-        point.sampled || point.is_object() || domain.body_of(*index).is_some()
-    })
-}
-
-/// By how much things are off the direction of others, where one of the two moves.
-fn offs(domain: &Domain<'_>, visit: Visit<'_>) {
-    for (b, second) in things(domain).filter(|(b, _)| domain.is_turned(*b)) {
-        for (a, first) in things(domain) {
-            if first.owner != second.owner && (first.sampled || second.sampled) {
-                say(domain, Quantity::Off(a, b), visit);
-            }
-        }
-    }
-}
-
-/// Relations between bodies, of the sample or not: between any two things that stand
-/// somewhere, of which one at least has an extent.
-fn body_relations(domain: &Domain<'_>, relations: &[Relation], sampled: bool, visit: Visit<'_>) {
-    for relation in relations {
-        for (a, first) in things(domain) {
-            for (b, second) in things(domain) {
-                let ordered = match relation {
-                    // The same both ways round: what moves first, as a person would say it.
-                    Relation::Clear if first.sampled == second.sampled => a > b,
-                    Relation::Clear => first.sampled,
-                    // Only what has an extent can hold something.
-                    Relation::Inside | Relation::InsideAlong(_) | Relation::Over => {
-                        domain.body_of(b).is_some()
-                    }
-                    Relation::Corner => has_corners(domain, a),
-                    Relation::Coordinate(_) | Relation::Magnitude(_) => second.has_heading(),
-                };
-                let sized = domain.body_of(a).is_some() || domain.body_of(b).is_some();
-                let moves = first.sampled || second.sampled;
-                if a != b && ordered && sized && moves == sampled {
-                    let quantity = Quantity::Relation(*relation, a, b);
-                    say_least(domain, quantity, visit);
-                }
-            }
-        }
-    }
-}
-
-/// Lines of sight and straight motions: from a point that moves to one that stands, past a
-/// third thing that stands. What one of the ends is placed in is left out, because the end
-/// moves with it or is a part of it.
-fn sights(domain: &Domain<'_>, visit: Visit<'_>) {
-    for (a, start) in (0u8..).zip(domain.points()).filter(|(_, p)| p.sampled) {
-        for (b, end) in (0u8..).zip(domain.points()) {
-            // Key points and members of groups would be too many ends.
-            let is_single = end.part.is_empty() && end.member.is_none();
-            if is_single && !end.sampled && end.owner != start.owner {
-                sights_between(domain, [a, b], visit);
-            }
-        }
-    }
-}
-
-fn sights_between(domain: &Domain<'_>, [a, b]: [u8; 2], visit: Visit<'_>) {
-    let object = |point| domain.object_of(point);
-    let of_an_end = |body| {
-        let mut ends = [a, b].into_iter();
-        ends.any(|end| body == end || object(body).is_some() && object(body) == object(end))
-    };
-    // What drives there takes the place of a thing, or of a circle like itself.
-    let is_object = domain
-        .points()
-        .get(usize::from(b))
-        .is_some_and(Point::is_object);
-    let drives = domain.is_round(a) && (is_object || domain.is_round(b));
-    for beam in [Beam::Line, Beam::Sweep] {
-        for (body, third) in (0u8..).zip(domain.points()) {
-            let stands = !third.sampled && domain.body_of(body).is_some();
-            if stands && !of_an_end(body) && (beam == Beam::Line || drives) {
-                say_least(domain, Quantity::Sight(beam, a, b, body), visit);
             }
         }
     }
@@ -218,12 +132,11 @@ pub(super) fn relations(
     };
     let bodies = dimension == Dimension::Length && !domain.bodies().is_empty();
     if bodies {
-        const WHOLE: [Relation; 3] = [Relation::Clear, Relation::Inside, Relation::Over];
-        body_relations(domain, &WHOLE, sampled, visit);
+        whole_bodies(domain, sampled, visit);
     }
     let angles = dimension == Dimension::Angle;
-    for (a, first) in (0u8..).zip(domain.points()) {
-        for (b, second) in (0u8..a).zip(domain.points()) {
+    for (a, first) in shown(domain) {
+        for (b, second) in shown(domain).take_while(|(b, _)| *b < a) {
             if (first.sampled || second.sampled) != sampled {
                 continue;
             }
@@ -237,20 +150,7 @@ pub(super) fn relations(
         }
     }
     if bodies {
-        if sampled {
-            sights(domain, visit);
-        }
-        body_relations(domain, &[Relation::Corner], sampled, visit);
-        let axes = AXES.get(..domain.axes()).unwrap_or(&AXES);
-        for along in [
-            Relation::InsideAlong,
-            Relation::Magnitude,
-            Relation::Coordinate,
-        ] {
-            for axis in axes {
-                body_relations(domain, &[along(*axis)], sampled, visit);
-            }
-        }
+        parts_of_bodies(domain, sampled, visit);
     }
     if angles {
         vertex_angles(domain, sampled, visit);
@@ -395,6 +295,44 @@ mod tests {
         );
         let without = domain.replace("shape", "#");
         assert_eq!(said_with(&without, &["off", "min(off"]), [""; 0]);
+    }
+
+    #[test]
+    fn a_compound_stands_before_its_parts() {
+        let domain = "object can[2] { x: length, y: length } shape can = circle(0.1)
+            object bin { x: length, y: length } shape bin = rectangle(2, 2) centred
+            parameter p in [0, 1]: length
+            point grip = world + (p, 0) shape grip = none
+            point left = grip + (0, 1) shape left = rectangle(1, 1) centred
+            point right = grip + (0, -1) shape right = circle(1)
+            shape gripper = left + right";
+        assert_eq!(
+            said_with(domain, &["clear", "min(clear", "inside(", "corner"]),
+            [
+                "min(clear(bin, can))",
+                "min(clear(gripper, can))",
+                "clear(gripper, bin)",
+                "min(clear(left, can))",
+                "clear(left, bin)",
+                "min(clear(right, can))",
+                "clear(right, bin)",
+                "inside(gripper, bin)",
+                "inside(bin, left)",
+                "inside(bin, right)",
+                "inside(left, bin)",
+                "inside(right, bin)",
+                "min(clear(line(left, bin), can))",
+                "min(clear(line(right, bin), can))",
+                "min(clear(sweep(right, bin), can))",
+                "corner(gripper, bin)",
+                "corner(bin, left)",
+                "corner(bin, right)",
+                "corner(left, bin)",
+            ]
+        );
+        let of_grip = said_with(domain, &["dist(grip,", "off(grip"]);
+        assert_eq!(of_grip, [""; 0]);
+        assert_eq!(said_with(domain, &["grip.x", "dist(left, bin)"]).len(), 2);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod bodies_angles;
+mod bodies_compound;
 mod bodies_sight;
 mod groups;
 mod intersection;

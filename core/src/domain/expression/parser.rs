@@ -227,9 +227,14 @@ impl ExpressionParser<'_, '_, '_> {
                 _ => Err(lexer.fail_at(at, "only clear(...) is about line(...) or sweep(...)")),
             };
         }
-        let a = self.point_of_name(first, at, lexer)?;
+        let takes_compounds = match two {
+            Some(Quantity::Relation(relation, ..)) => relation.takes_compounds(),
+            _ => [false; 2],
+        };
+        let [of_first, of_second] = takes_compounds;
+        let a = self.body_of_name(first, at, of_first, lexer)?;
         lexer.expect(",", SECOND_POINT)?;
-        let b = self.point(lexer)?;
+        let b = self.body(of_second, lexer)?;
         let (example, c) = match (two, three) {
             (_, Some(three)) if lexer.accept(",") => match self.symmetry(lexer)? {
                 Some(symmetry) => (Quantity::FoldedAngle(symmetry, a, b), b),
@@ -289,7 +294,7 @@ impl ExpressionParser<'_, '_, '_> {
         let b = self.point(lexer)?;
         lexer.expect(")", "expected `)` behind the ends of the line")?;
         lexer.expect(",", "expected `,` and what the line is clear of")?;
-        let body = self.point(lexer)?;
+        let body = self.body(true, lexer)?;
         Ok(Node::Quantity(Quantity::Sight(beam, a, b, body)))
     }
 
@@ -303,14 +308,31 @@ impl ExpressionParser<'_, '_, '_> {
     }
 
     fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Failed> {
-        let at = lexer.place();
-        let name = lexer.expect_name(A_POINT)?;
-        self.point_of_name(name, at, lexer)
+        self.body(false, lexer)
     }
 
-    fn point_of_name(&self, name: &str, at: Place, lexer: &mut Lexer<'_>) -> Result<u8, Failed> {
-        let point = self.domain.find_point(name);
-        point.ok_or_else(|| lexer.fail_at(at, "unknown point"))
+    /// Reads the name of a point, or of a compound where one may stand.
+    fn body(&self, may_be_compound: bool, lexer: &mut Lexer<'_>) -> Result<u8, Failed> {
+        let at = lexer.place();
+        let name = lexer.expect_name(A_POINT)?;
+        self.body_of_name(name, at, may_be_compound, lexer)
+    }
+
+    fn body_of_name(
+        &self,
+        name: &str,
+        at: Place,
+        may_be_compound: bool,
+        lexer: &mut Lexer<'_>,
+    ) -> Result<u8, Failed> {
+        let domain = self.domain;
+        let what = match (domain.find_point(name), domain.find_compound(name)) {
+            (Some(point), _) => return Ok(point),
+            (None, Some(compound)) if may_be_compound => return Ok(compound),
+            (None, Some(_)) => "this is said of a single body, and here are several",
+            (None, None) => "unknown point",
+        };
+        Err(lexer.fail_at(at, what))
     }
 
     fn name(&self, name: &str) -> Option<Node> {

@@ -54,19 +54,16 @@ impl Domain<'_> {
                 Dependence::Constant
             }
             Ok(Node::Parameter(_)) => Dependence::Sample,
-            Ok(Node::Quantity(quantity) | Node::Extreme(_, quantity)) => {
-                let points = quantity.points();
-                let sampled = |i: &u8| {
-                    self.points()
-                        .get(usize::from(*i))
-                        .is_some_and(|p| p.sampled)
-                };
-                let sized = |id| self.dependence(self.nodes(), id) == Dependence::Sample;
-                let moves = points.iter().flatten().any(sampled);
-                match moves || self.sizes_of(quantity).any(sized) {
-                    true => Dependence::Sample,
-                    false => Dependence::Instance,
-                }
+            Ok(term @ (Node::Quantity(_) | Node::Extreme(..))) => {
+                let mut found = Dependence::Instance;
+                self.quantities(term, &mut |quantity| {
+                    let mut points = quantity.points().into_iter().flatten();
+                    let sized = |id| self.dependence(self.nodes(), id) == Dependence::Sample;
+                    if points.any(|p| self.moves(p)) || self.sizes_of(quantity).any(sized) {
+                        found = Dependence::Sample;
+                    }
+                });
+                found
             }
             Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
                 self.dependence(nodes, a).max(self.dependence(nodes, b))

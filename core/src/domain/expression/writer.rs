@@ -135,6 +135,9 @@ impl Domain<'_> {
     }
 
     fn write_point(&self, out: &mut dyn fmt::Write, point: u8) -> fmt::Result {
+        if let Some(compound) = self.compound(point) {
+            return out.write_str(compound.name);
+        }
         let point = self.points().get(usize::from(point)).ok_or(fmt::Error)?;
         out.write_str(point.owner)?;
         if !point.part.is_empty() {

@@ -3,9 +3,9 @@
 use super::body_pair::BodyPair;
 use super::sight::Sight;
 use super::{Sample, chord};
-use crate::domain::algebra::{Algebra, Arithmetic};
+use crate::domain::algebra::{Algebra, Arithmetic, Measure};
 use crate::domain::declarations::Solid;
-use crate::domain::node::{Beam, Node, NodeId, Quantity};
+use crate::domain::node::{Beam, Extreme, Node, NodeId, Quantity};
 use crate::geometry::{Body, Relation};
 use crate::real::Real;
 
@@ -48,20 +48,37 @@ impl<R: Real, A: Algebra<R>> Bodies<R, A> {
 }
 
 impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
-    /// The value of a quantity of bodies.
-    #[inline(never)]
+    /// The value of a quantity of bodies; not a number if they are absent.
     pub(super) fn between_bodies(&self, quantity: Quantity) -> A::Measure {
-        let bodies = self.bodies(quantity);
-        bodies.map_or_else(A::Measure::unknown, |(bodies, slack)| bodies.measure(slack))
+        let least = self.least_of_parts(quantity);
+        least.unwrap_or_else(|| A::Measure::constant(R::NAN))
     }
 
     /// The value of a quantity for one member; `None` if it is about a body that is absent.
     pub(super) fn of_member(&self, own: Quantity) -> Option<A::Measure> {
-        match self.bodies(own) {
-            Some((bodies, _)) if bodies.are_absent() => None,
-            Some((bodies, slack)) => Some(bodies.measure(slack)),
-            None => Some(self.leaf(Node::Quantity(own))),
+        match own {
+            Quantity::Relation(..) | Quantity::Sight(..) => self.least_of_parts(own),
+            _ => Some(self.leaf(Node::Quantity(own))),
         }
+    }
+
+    /// The least value over the parts of compounds, or that of two bodies. Absent ones are
+    /// passed over; `None` if no others are there.
+    #[inline(never)]
+    fn least_of_parts(&self, quantity: Quantity) -> Option<A::Measure> {
+        let mut least: Option<A::Measure> = None;
+        self.scene.domain.each_part(quantity, &mut |part| {
+            let value = match self.bodies(part) {
+                Some((bodies, _)) if bodies.are_absent() => return,
+                Some((bodies, slack)) => bodies.measure(slack),
+                None => A::Measure::unknown(),
+            };
+            least = Some(match least {
+                Some(least) => least.extreme(Extreme::Least, value),
+                None => value,
+            });
+        });
+        least
     }
 
     /// The bodies that a quantity is about, and by how much what is not known of how they are

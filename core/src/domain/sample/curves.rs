@@ -13,14 +13,14 @@ const MAX_MULTIPLES: f64 = 1000.0;
 /// Along a line, an extreme and a relation between bodies are made of curves, of which one
 /// counts at each position.
 impl<R: Real> Sample<'_, '_, R, Line<R>> {
-    /// How many curves a term is made of: one for each member of a group, and for each piece
-    /// of a relation.
+    /// How many curves a term is made of: one for each piece of a relation, of each member of
+    /// a group and each part of a compound.
     pub(crate) fn curve_count(&self, term: Node) -> usize {
         match term {
-            Node::Quantity(quantity) => self.piece_count(quantity),
-            Node::Extreme(_, quantity) => {
-                let members = self.scene.of_members(quantity);
-                members.count() * self.most_pieces(quantity)
+            Node::Quantity(_) | Node::Extreme(..) => {
+                let mut count = 0;
+                self.each_single(term, &mut |_| count += 1);
+                count * self.most_pieces(term)
             }
             Node::Number(_)
             | Node::Constant(_)
@@ -41,15 +41,50 @@ impl<R: Real> Sample<'_, '_, R, Line<R>> {
         chosen: &impl Fn(NodeId) -> Option<usize>,
     ) -> Curve<R> {
         match (nodes.get(usize::from(id.0)), chosen(id)) {
-            (Some(Node::Extreme(_, quantity)), Some(index)) => {
-                let pieces = self.most_pieces(*quantity).max(1);
-                let member = self.scene.of_members(*quantity).nth(index / pieces);
-                member.map_or_else(Curve::unknown, |own| self.curve(own, index % pieces))
+            (Some(term @ (Node::Extreme(..) | Node::Quantity(_))), Some(index)) => {
+                self.chosen_curve(*term, index)
             }
-            (Some(Node::Quantity(quantity)), Some(index)) => self.curve(*quantity, index),
             (Some(node), _) => self.node(*node, |id| self.measure_choosing(nodes, id, chosen)),
             (None, _) => Curve::unknown(),
         }
+    }
+
+    /// One of the curves that a term is made of.
+    fn chosen_curve(&self, term: Node, index: usize) -> Curve<R> {
+        let pieces = self.most_pieces(term);
+        let (wanted, piece) = (index.checked_div(pieces), index.checked_rem(pieces));
+        let (mut place, mut found) = (0, None);
+        self.each_single(term, &mut |own| {
+            if Some(place) == wanted {
+                found = Some(own);
+            }
+            place += 1;
+        });
+        let curve = found.zip(piece);
+        curve.map_or_else(Curve::unknown, |(own, piece)| self.curve(own, piece))
+    }
+
+    /// Visits the quantity of each member and of each part that a term is about.
+    fn each_single(&self, term: Node, visit: &mut dyn FnMut(Quantity)) {
+        match term {
+            Node::Extreme(_, quantity) => {
+                for own in self.scene.of_members(quantity) {
+                    self.scene.domain.each_part(own, visit);
+                }
+            }
+            _ => {
+                if let Some(quantity) = term.quantity() {
+                    self.scene.domain.each_part(quantity, visit);
+                }
+            }
+        }
+    }
+
+    /// The most pieces that one of these quantities has, and at least one.
+    fn most_pieces(&self, term: Node) -> usize {
+        let mut most = 1;
+        self.each_single(term, &mut |own| most = most.max(self.piece_count(own)));
+        most
     }
 
     /// One curve of a quantity.
@@ -102,10 +137,5 @@ impl<R: Real> Sample<'_, '_, R, Line<R>> {
         let [first, last] = [low, high].map(nearest);
         let count = last - first;
         (count < MAX_MULTIPLES).then_some((first, 1 + count as usize))
-    }
-
-    fn most_pieces(&self, quantity: Quantity) -> usize {
-        let members = self.scene.of_members(quantity);
-        members.map(|own| self.piece_count(own)).max().unwrap_or(1)
     }
 }
