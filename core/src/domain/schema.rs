@@ -207,7 +207,7 @@ impl<'t> Domain<'t> {
     }
 
     /// Whether the direction of a point is given: by an angle of its object, or a turn.
-    pub(crate) fn is_turned(&self, point: u8) -> bool {
+    pub(crate) fn is_oriented(&self, point: u8) -> bool {
         let mut next = Some(point);
         while let Some(point) = next.and_then(|index| self.points.get(usize::from(index))) {
             let of_object = match point.base {

@@ -32,7 +32,7 @@ pub(super) fn parts_of_bodies(domain: &Domain<'_>, sampled: bool, visit: Visit<'
 
 /// By how much things are off the direction of others, where one of the two moves.
 pub(super) fn offs(domain: &Domain<'_>, visit: Visit<'_>) {
-    for (b, second) in things(domain).filter(|(b, _)| domain.is_turned(*b)) {
+    for (b, second) in things(domain).filter(|(b, _)| domain.is_oriented(*b)) {
         for (a, first) in things(domain) {
             if first.owner != second.owner && (first.sampled || second.sampled) {
                 say(domain, Quantity::Off(a, b), visit);
