@@ -188,7 +188,8 @@
  *     dimension = "length" | "angle" | "area" | "flag" | "none" ;
  *     constant  = "constant" path "=" expr ":" dimension ;
  *     parameter = "parameter" name "in" "[" expr "," expr "]" [ ":" dimension ] ;
- *     shape     = "shape" path "=" solid [ "rounded" factor ] [ "centred" ] ;
+ *     shape     = "shape" path "=" ( solid [ "rounded" factor ] [ "centred" ] | "none" )
+ *               | "shape" name "=" path { "+" path } ;    (* of earlier bodies *)
  *     solid     = "circle" "(" expr ")"           (* a ball in space *)
  *               | "rectangle" "(" expr "," expr ")"         (* a plate in space *)
  *               | "box" "(" expr "," expr "," expr ")"
@@ -203,13 +204,18 @@
  *     term      = factor { "*" factor } ;
  *     factor    = number | "pi" | path | "-" factor | "(" expr ")" | call | extreme ;
  *     extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over a group *)
- *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" )
+ *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" | "off" )
  *                   "(" path "," path ")"
  *               | "angle" "(" path "," path "," path ")"    (* at the second point *)
+ *               | "angle" "(" path "," path "," symmetry ")"     (* of headings *)
  *               | relation "(" path "," path ")"  (* between their bodies *)
+ *               | "clear" "(" line "," path ")"
  *               | "area" "(" name ")" ;
  *     relation  = "clear" | "inside" | "inside_x" | "inside_y" | "inside_z" | "over"
  *               | "corner" | "x_in" | "y_in" | "z_in" | "abs_x_in" | "abs_y_in" | "abs_z_in" ;
+ *     symmetry  = plain { "*" plain } | "symmetry" number ;   (* 2 pi / n, or n *)
+ *     plain     = number | "pi" | path ;
+ *     line      = ( "line" | "sweep" ) "(" path "," path ")" ;
  *     path      = name { "." name } ;
  *     name      = ( letter | "_" ) { letter | digit | "_" } ;
  *
@@ -219,6 +225,11 @@
  * rectangle of constant sizes on an object adds the points left, right, bottom, top and,
  * for rectangles, centre. Offsets, turns and sizes are made of numbers, constants,
  * attributes and parameters. Only quantities of one dimension are added and compared.
+ *
+ * The angle of two headings is in [0, pi]. Where one of them belongs to a thing that looks
+ * the same after a turn by 2*pi/n, for a whole n from 2 to 12, angle(a, b, pi), as of a bar,
+ * angle(a, b, 0.5*pi), as of a square, or in general angle(a, b, symmetry n) is how far the
+ * angle is from the nearest such turn: in [0, pi/n].
  *
  * BODIES
  *
@@ -241,6 +252,17 @@
  *     x_in, ...  where the first one's centre is in the frame of the second one;
  *                abs_x_in, ...: the magnitude of that
  *
+ * The straight line from point to point is a body, too: clear(line(eye, sign), post) >= 0
+ * says that the sign is seen past the post, and clear(sweep(robot, goal), post) >= 0 that
+ * the way there is free, because a sweep is as wide as the circle of its first point.
+ * off(sign, eye) <= 0.5 says that the sign is in a cone about the x axis of the eye: it is the
+ * angle between that axis and the direction from the eye to the sign.
+ *
+ * Several bodies may have one name, as "shape gripper = left + right": clear(gripper, can),
+ * inside(gripper, tray), over and corner are the least value over the parts, and clear also
+ * takes such a name as its second body. A name whose shape is none is only there for others
+ * to be placed in: learners say nothing of how it lies to things.
+ *
  * A point without a shape is a body without extent. A size below zero is that of an absent
  * body, of which no constraint holds; an absent member of a group is passed over.
  *
@@ -254,10 +276,11 @@
  *
  * Limits: CRITREG_DOMAIN_TEXT_MAX bytes; 16 types, 64 attributes of types, 32
  * objects, 8 groups, 255 numbers of an instance, 32 constants, 6 parameters, 64
- * points of which 6 depend on a parameter, 16 shapes. Every member of a group
- * counts as an object, with its own numbers and points. A region can refer to 32
- * points, with those they are placed in. A text without an attribute of an object and
- * without a parameter is refused: there is nothing to learn then.
+ * points of which 6 depend on a parameter, 16 shapes with key points, 24 bodies, 4 names
+ * for up to 6 bodies each. Every member of a group counts as an object, with its own
+ * numbers, points and bodies. A region can refer to 32 points, with those they are placed
+ * in. A text without an attribute of an object and without a parameter is refused: there is
+ * nothing to learn then.
  *
  *
  * THE REGION TEXT

@@ -3,6 +3,8 @@
 
 use super::dimension::Dimension;
 use super::node::NodeId;
+use super::schema::MAX_PARTS;
+use heapless::Vec;
 
 /// A kind of object and the numbers that describe one (thesis 4.1.1: the types
 /// and the dimensionality of their feature vectors).
@@ -170,6 +172,15 @@ pub struct Body {
     pub point: u8,
     /// What is there.
     pub solid: Solid,
+}
+
+/// Several bodies under one name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compound<'t> {
+    /// Its name.
+    pub name: &'t str,
+    /// The points whose bodies are its parts.
+    pub parts: Vec<u8, MAX_PARTS>,
 }
 
 impl Body {

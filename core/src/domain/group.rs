@@ -44,26 +44,6 @@ impl<'t> Domain<'t> {
         members.iter().zip(quantities)
     }
 
-    /// Visits the quantities that a term needs: itself, if it is one, or those of all
-    /// members over which it takes the extreme.
-    pub(super) fn quantities(&self, term: Node, visit: &mut dyn FnMut(Quantity)) {
-        match term {
-            Node::Quantity(quantity) => visit(quantity),
-            Node::Extreme(_, quantity) => {
-                for (_, own) in self.of_members(quantity) {
-                    visit(own);
-                }
-            }
-            Node::Number(_)
-            | Node::Constant(_)
-            | Node::Parameter(_)
-            | Node::Area(_)
-            | Node::Sum(..)
-            | Node::Difference(..)
-            | Node::Product(..) => {}
-        }
-    }
-
     /// Turns a quantity of the first member of a group into that of another member.
     pub(super) fn of_member(&self, quantity: Quantity, index: u8) -> Quantity {
         match quantity.slot() {

@@ -15,7 +15,8 @@
 //! dimension = "length" | "angle" | "area" | "flag" | "none" ;
 //! constant  = "constant" path "=" expr ":" dimension ;
 //! parameter = "parameter" name "in" "[" expr "," expr "]" [ ":" dimension ] ;
-//! shape     = "shape" path "=" solid [ "rounded" factor ] [ "centred" ] ;
+//! shape     = "shape" path "=" ( solid [ "rounded" factor ] [ "centred" ] | "none" )
+//!           | "shape" name "=" path { "+" path } ;           (* of earlier bodies *)
 //! solid     = "circle" "(" expr ")"                          (* a ball in space *)
 //!           | "rectangle" "(" expr "," expr ")"              (* a plate in space *)
 //!           | "box" "(" expr "," expr "," expr ")"
@@ -29,12 +30,17 @@
 //! term      = factor { "*" factor } ;
 //! factor    = number | "pi" | path | "-" factor | "(" expr ")" | call | extreme ;
 //! extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over the members of a group *)
-//! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" ) "(" path "," path ")"
+//! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" | "off" ) "(" path "," path ")"
 //!           | "angle" "(" path "," path "," path ")"         (* at the second point *)
+//!           | "angle" "(" path "," path "," symmetry ")"     (* of headings *)
 //!           | relation "(" path "," path ")"                 (* between their bodies *)
+//!           | "clear" "(" line "," path ")"
 //!           | "area" "(" name ")" ;
 //! relation  = "clear" | "inside" | "inside_x" | "inside_y" | "inside_z" | "over" | "corner"
 //!           | "x_in" | "y_in" | "z_in" | "abs_x_in" | "abs_y_in" | "abs_z_in" ;
+//! symmetry  = plain { "*" plain } | "symmetry" number ;      (* 2 pi / n, or n *)
+//! plain     = number | "pi" | path ;
+//! line      = ( "line" | "sweep" ) "(" path "," path ")" ;   (* from point to point *)
 //! path      = name { "." name } ;
 //! name      = ( letter | "_" ) { letter | digit | "_" } ;
 //! ```
@@ -46,6 +52,10 @@
 //! (thesis 4.2).
 //! Offsets, turns and sizes are made of numbers, constants, attributes and
 //! parameters; a point that depends on a parameter is a sample point.
+//!
+//! The angle of two headings is in `[0, pi]`. Where one of them belongs to a thing that looks
+//! the same after a turn by `2 pi / n`, `angle(a, b, pi)`, `angle(a, b, 0.5*pi)` or in general
+//! `angle(a, b, symmetry n)` is how far it is from the nearest such turn, in `[0, pi / n]`.
 //!
 //! # Bodies
 //!
@@ -73,6 +83,16 @@
 //! assert!(fits([0.04, 0.0, 1.57])? && !fits([0.06, 0.0, 1.57])? && !fits([0.0, 0.0, 0.0])?);
 //! # Ok::<(), critreg::Error>(())
 //! ```
+//!
+//! The straight line between two points is a body, too: `clear(line(eye, sign), post) >= 0`
+//! says that the sign is seen past the post. A `sweep` is as wide as the circle of its first
+//! point, which drives along it. And `off(sign, eye) <= 0.5` says that the sign is in a cone
+//! about the x axis of the eye: it is the angle between that axis and the direction there.
+//!
+//! Several bodies may have one name: of `shape gripper = left + right` the least value over
+//! the parts counts, so `clear(gripper, can) >= 0` holds of both. Only rooms and clearances
+//! are said of it, and it may be the second body of `clear` only. A name whose shape is `none`
+//! is only there for others to be placed in: learners say nothing of how it lies to things.
 //!
 //! A point without a shape is a body without extent. A size below zero is that of an absent
 //! body, of which no constraint holds.
@@ -109,7 +129,7 @@
 //! no member is there, a least value is above every bound, and a greatest one below.
 
 mod algebra;
-mod body_pair;
+mod compound;
 mod declarations;
 mod description;
 mod dimension;
@@ -125,18 +145,18 @@ mod turns;
 
 pub(crate) use node::{TermError, copy, intern, is_same};
 
-pub use algebra::{Algebra, Arithmetic, Curve, Line, Measure, Range};
-pub use body_pair::BodyPair;
+pub use algebra::{Algebra, Arithmetic, Bend, Curve, Line, Measure, Range};
 pub use declarations::{
-    Attribute, Base, Body, Constant, Group, Member, Object, Parameter, Point, Shape, Solid, Type,
+    Attribute, Base, Body, Compound, Constant, Group, Member, Object, Parameter, Point, Shape,
+    Solid, Type,
 };
 pub use dimension::Dimension;
 pub use expression::{Dependence, MAX_DEPTH};
-pub use node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
+pub use node::{Beam, Coordinate, Extreme, Metric, Node, NodeId, Quantity, SYMMETRIES};
 pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};
 pub use schema::{
-    Domain, MAX_ATTRIBUTES, MAX_BODIES, MAX_CONSTANTS, MAX_DOMAIN_NODES, MAX_GROUPS, MAX_OBJECTS,
-    MAX_PARAMETERS, MAX_POINTS, MAX_SHAPES, MAX_TYPES,
+    Domain, MAX_ATTRIBUTES, MAX_BODIES, MAX_COMPOUNDS, MAX_CONSTANTS, MAX_DOMAIN_NODES, MAX_GROUPS,
+    MAX_OBJECTS, MAX_PARAMETERS, MAX_PARTS, MAX_POINTS, MAX_SHAPES, MAX_TYPES,
 };

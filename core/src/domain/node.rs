@@ -8,6 +8,7 @@ use crate::geometry::Relation;
 use crate::real::Real;
 use crate::table::Blank;
 use core::mem::discriminant;
+use core::ops::RangeInclusive;
 use heapless::VecView;
 
 /// Index of a node in its list.
@@ -40,6 +41,23 @@ pub enum Metric {
     Straight,
 }
 
+/// How wide a straight line between two points is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beam {
+    /// `line(a, b)`: not at all, as a line of sight.
+    Line,
+    /// `sweep(a, b)`: as the circle of the first point, which drives along it.
+    Sweep,
+}
+
+/// In how many ways a thing can be turned and look the same, where its angles are folded.
+pub const SYMMETRIES: RangeInclusive<u8> = 2..=12;
+
+/// The angle by which such a thing is turned to look the same.
+pub(super) fn period(symmetry: u8) -> f64 {
+    core::f64::consts::TAU / f64::from(symmetry)
+}
+
 /// A number that belongs to an object or to points, in an instance and at a sample. A
 /// quantity of a group names the first member, which stands for each of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,9 +70,19 @@ pub enum Quantity {
     Distance(Metric, u8, u8),
     /// The angle between the x axes of two points, in `[0, pi]`.
     Angle(u8, u8),
+    /// The angle between the x axes of two points, where a turn by a whole fraction of a full
+    /// turn changes nothing: how far the angle is from the nearest multiple of `2 pi / n`, in
+    /// `[0, pi / n]`, for an `n` in [`SYMMETRIES`].
+    FoldedAngle(u8, u8, u8),
+    /// The angle between the x axis of the second point and the direction from there to the
+    /// first one, in `[0, pi]`; zero where they are one point.
+    Off(u8, u8),
     /// A relation between the bodies of two points: the first one's to the second one's. A
     /// point without a body is a body without extent.
     Relation(Relation, u8, u8),
+    /// How far the straight line between the first two points is from the body of the third
+    /// one; below zero, how deep it goes in.
+    Sight(Beam, u8, u8, u8),
     /// The angle at the second point between the directions to the first and to the
     /// third, in `[0, pi]`; zero where one of them is the second point itself.
     VertexAngle(u8, u8, u8),
@@ -68,7 +96,10 @@ impl Quantity {
             Quantity::Coordinate(..)
             | Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::FoldedAngle(..)
+            | Quantity::Off(..)
             | Quantity::Relation(..)
+            | Quantity::Sight(..)
             | Quantity::VertexAngle(..) => None,
         }
     }
@@ -78,10 +109,14 @@ impl Quantity {
         match self {
             Quantity::Attribute(_) => [None; 3],
             Quantity::Coordinate(_, a) => [Some(a), None, None],
-            Quantity::Distance(_, a, b) | Quantity::Angle(a, b) | Quantity::Relation(_, a, b) => {
-                [Some(a), Some(b), None]
+            Quantity::Distance(_, a, b)
+            | Quantity::Angle(a, b)
+            | Quantity::FoldedAngle(_, a, b)
+            | Quantity::Off(a, b)
+            | Quantity::Relation(_, a, b) => [Some(a), Some(b), None],
+            Quantity::Sight(_, a, b, c) | Quantity::VertexAngle(a, b, c) => {
+                [Some(a), Some(b), Some(c)]
             }
-            Quantity::VertexAngle(a, b, c) => [Some(a), Some(b), Some(c)],
         }
     }
 
@@ -92,7 +127,10 @@ impl Quantity {
             Quantity::Coordinate(axis, _) => Quantity::Coordinate(axis, a),
             Quantity::Distance(metric, ..) => Quantity::Distance(metric, a, b),
             Quantity::Angle(..) => Quantity::Angle(a, b),
+            Quantity::FoldedAngle(n, ..) => Quantity::FoldedAngle(n, a, b),
+            Quantity::Off(..) => Quantity::Off(a, b),
             Quantity::Relation(relation, ..) => Quantity::Relation(relation, a, b),
+            Quantity::Sight(beam, ..) => Quantity::Sight(beam, a, b, c),
             Quantity::VertexAngle(..) => Quantity::VertexAngle(a, b, c),
         }
     }

@@ -95,9 +95,9 @@ pub(super) struct Bits([u32; 2]);
 const _: () = assert!(MAX_POINTS <= 64, "there is a bit per point");
 
 impl Bits {
-    const NONE: Bits = Bits([0; 2]);
+    pub(super) const NONE: Bits = Bits([0; 2]);
 
-    fn insert(&mut self, point: u8) {
+    pub(super) fn insert(&mut self, point: u8) {
         if let Some(word) = self.0.get_mut(usize::from(point / 32)) {
             *word |= 1 << (point % 32);
         }

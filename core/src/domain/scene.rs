@@ -167,6 +167,38 @@ impl<'a, R: Real> Scene<'a, R> {
         }
     }
 
+    /// By how much the first of two points is turned further than the second one, where both
+    /// are turned about the z axis only.
+    pub(super) fn turned<A: Algebra<R>>(&self, points: [u8; 2], theta: &[A]) -> Option<A> {
+        let [a, b] = points.map(|point| self.yaw(point, theta));
+        Some(a?.minus(b?))
+    }
+
+    /// The heading of a point as a sum of angles, which may be any number of turns.
+    fn yaw<A: Algebra<R>>(&self, point: u8, theta: &[A]) -> Option<A> {
+        let mut yaw = A::constant(R::ZERO);
+        let mut next = point;
+        loop {
+            let point = self.domain.points().get(usize::from(next))?;
+            let [turn, None, None] = point.turn else {
+                return None;
+            };
+            yaw = yaw.plus(self.offset_term(turn, theta));
+            match point.base {
+                Base::World => return Some(yaw),
+                // Bases stand before what is placed in them.
+                Base::Point(earlier) => next = earlier,
+                Base::Object(object) => {
+                    return match self.domain.pose_slots(object).angles {
+                        [None, None, None] => Some(yaw),
+                        [Some(own), None, None] => Some(yaw.plus(A::constant(self.slot(own)))),
+                        _ => None,
+                    };
+                }
+            }
+        }
+    }
+
     /// The value of an offset or turn, which never depends on points.
     pub(super) fn offset_term<A: Algebra<R>>(&self, id: Option<NodeId>, theta: &[A]) -> A {
         let Some(id) = id else {

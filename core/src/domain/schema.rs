@@ -1,9 +1,11 @@
 //! A domain: the lists of what it declares, and look-ups in them.
 
 use super::declarations::{
-    Attribute, Base, Body, Constant, Group, Object, Parameter, Point, PoseSlots, Shape, Type,
+    Attribute, Base, Body, Compound, Constant, Group, Object, Parameter, Point, PoseSlots, Shape,
+    Type,
 };
 use super::node::Node;
+use super::point_set::Bits;
 use crate::text::split_at_dot;
 use heapless::Vec;
 
@@ -26,6 +28,10 @@ pub const MAX_POINTS: usize = 64;
 pub const MAX_SHAPES: usize = 16;
 /// Most bodies, those of every member of a group counted; none without the feature `bodies`.
 pub const MAX_BODIES: usize = if cfg!(feature = "bodies") { 24 } else { 0 };
+/// Most compounds; none without the feature `bodies`.
+pub const MAX_COMPOUNDS: usize = if cfg!(feature = "bodies") { 4 } else { 0 };
+/// Most parts of a compound.
+pub const MAX_PARTS: usize = 6;
 /// Most terms in the offsets, turns and sizes of all points and shapes together.
 pub const MAX_DOMAIN_NODES: usize = 128;
 
@@ -42,6 +48,9 @@ pub struct Domain<'t> {
     pub(super) points: Vec<Point<'t>, MAX_POINTS>,
     pub(super) shapes: Vec<(u8, Shape), MAX_SHAPES>,
     pub(super) bodies: Vec<Body, MAX_BODIES>,
+    pub(super) compounds: Vec<Compound<'t>, MAX_COMPOUNDS>,
+    /// The points that no relation is enumerated of.
+    pub(super) hidden: Bits,
     pub(super) nodes: Vec<Node, MAX_DOMAIN_NODES>,
     pub(super) slots: u8,
     pub(super) text: &'t str,
@@ -61,6 +70,8 @@ impl<'t> Domain<'t> {
             points: Vec::new(),
             shapes: Vec::new(),
             bodies: Vec::new(),
+            compounds: Vec::new(),
+            hidden: Bits::NONE,
             nodes: Vec::new(),
             slots: 0,
             text: "",
@@ -133,6 +144,17 @@ impl<'t> Domain<'t> {
         self.bodies.iter().find(|body| body.point == point)
     }
 
+    /// Whether a point is none that relations are enumerated of: its shape is `none`.
+    pub fn is_hidden(&self, point: u8) -> bool {
+        self.hidden.has(point)
+    }
+
+    /// Whether the body of a point is a circle, or a ball.
+    pub fn is_round(&self, point: u8) -> bool {
+        let solid = self.body_of(point).map(|body| body.solid);
+        solid.is_some_and(|solid| solid.radius.is_some() && solid.sizes == [None; 3])
+    }
+
     /// The terms that the points and shapes refer to.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
@@ -184,14 +206,23 @@ impl<'t> Domain<'t> {
             || self.points.iter().any(|point| point.turn != [None; 3])
     }
 
-    /// Whether a point has a heading of its own that is not always that of the world.
-    pub(crate) fn is_turned(&self, point: &Point<'_>) -> bool {
-        match point.base {
-            Base::Object(object) if point.is_object() => {
-                self.pose_slots(object).angles != [None; 3]
+    /// Whether the direction of a point is given: by an angle of its object, or a turn.
+    pub(crate) fn is_oriented(&self, point: u8) -> bool {
+        let mut next = Some(point);
+        while let Some(point) = next.and_then(|index| self.points.get(usize::from(index))) {
+            let of_object = match point.base {
+                Base::Object(object) => self.pose_slots(object).angles != [None; 3],
+                Base::World | Base::Point(_) => false,
+            };
+            if of_object || point.turn != [None; 3] {
+                return true;
             }
-            _ => point.turn != [None; 3],
+            next = match point.base {
+                Base::Point(earlier) => Some(earlier),
+                Base::World | Base::Object(_) => None,
+            };
         }
+        false
     }
 
     /// Along how many axes positions in this domain lie: one, two or three.

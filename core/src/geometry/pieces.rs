@@ -330,7 +330,7 @@ fn pairs(count: usize) -> usize {
 }
 
 /// A vector for even numbers, its opposite for odd ones.
-fn signed<R: Real>(vector: Vector3<R>, index: usize) -> Vector3<R> {
+pub(super) fn signed<R: Real>(vector: Vector3<R>, index: usize) -> Vector3<R> {
     if index.is_multiple_of(2) {
         vector
     } else {

@@ -122,21 +122,6 @@ impl Relation {
     }
 }
 
-/// The clearance between the straight line from `start` to `end`, as wide as a ball of a
-/// radius, and a body: of a line of sight, or of a straight motion. Its pieces while the
-/// whole line moves are those of [`Relation::Clear`] for [`Body::segment`].
-pub fn sight<R: Real>(
-    start: Vector3<R>,
-    end: Vector3<R>,
-    radius: R,
-    body: &Body<R>,
-    dimensions: Dimensions,
-) -> R {
-    let [start, end] = [start, end].map(|point| counted(point, dimensions));
-    let line = Body::segment(start, end, radius);
-    Relation::Clear.value(&line, body, dimensions)
-}
-
 /// By how much the direction from the centre of `b` to that of `a` is off the x axis of `b`:
 /// an angle in `[0, pi]`, zero if the centres are one point.
 ///
@@ -149,7 +134,7 @@ pub fn off<R: Real>(a: &Body<R>, b: &Body<R>, dimensions: Dimensions) -> R {
     dot(aside, aside).sqrt().atan2(dot(d, x_axis))
 }
 
-/// How much the value of any [`Relation`], or a [`sight`], can change when one of two
+/// How much the value of any [`Relation`], or a [`sight`](super::sight), can change when one of two
 /// bodies moves by at most `moved` and turns by at most `turned` radians (from zero), about
 /// a point from which no corner of `a` is farther than `reach` (see [`Body::reach`]).
 ///
@@ -164,7 +149,7 @@ pub fn lipschitz<R: Real>(moved: R, turned: R, reach: R) -> R {
 }
 
 /// A vector; in the plane without its z.
-fn counted<R: Real>([x, y, z]: Vector3<R>, dimensions: Dimensions) -> Vector3<R> {
+pub(super) fn counted<R: Real>([x, y, z]: Vector3<R>, dimensions: Dimensions) -> Vector3<R> {
     match dimensions {
         Dimensions::Plane => [x, y, R::ZERO],
         Dimensions::Space => [x, y, z],

@@ -1,6 +1,7 @@
 //! Left sides that are made of others: what no relation between two points says.
 
 use super::features::{Features, feature_id};
+use super::leaves::folded_angles;
 use crate::domain::{Coordinate, Dimension, Domain, Node, NodeId, Point, Quantity};
 use crate::geometry::{Axis, Relation};
 use crate::real::Real;
@@ -15,6 +16,7 @@ impl<R: Real> Features<'_, R> {
     /// | left side | says |
     /// |---|---|
     /// | `x_in(hand, tray)`, `abs_x_in(hand, tray)` | where something is in the frame of what has a heading |
+    /// | `angle(finger, nut, 0.5*pi)` | an angle of what looks the same from several sides |
     /// | `hand.x + hand.y`, `hand.x - hand.y` | on which side of a diagonal |
     /// | `mu * stick.length` | a share of a size |
     /// | `part.width` | a condition on the scene alone |
@@ -23,6 +25,7 @@ impl<R: Real> Features<'_, R> {
             return;
         }
         self.derive_in_frames(domain, visit);
+        folded_angles(domain, true, &mut |node| self.offer(node, visit));
         self.derive_diagonals(domain, visit);
         self.derive_shares(domain, visit);
         self.derive_scene(domain, visit);
@@ -44,10 +47,12 @@ impl<R: Real> Features<'_, R> {
         }
         let axes = [Axis::X, Axis::Y, Axis::Z];
         let axes = axes.get(..domain.axes()).unwrap_or(&axes);
-        let single = |point: &Point<'_>| point.member.is_none();
-        for (a, first) in (0u8..).zip(domain.points()).filter(|(_, p)| single(p)) {
-            for (b, second) in (0u8..).zip(domain.points()).filter(|(_, p)| single(p)) {
-                if a == b || !domain.is_turned(second) || first.sampled == second.sampled {
+        let single = |(index, point): &(u8, &Point<'_>)| {
+            point.member.is_none() && !domain.is_hidden(*index)
+        };
+        for (a, first) in (0u8..).zip(domain.points()).filter(single) {
+            for (b, second) in (0u8..).zip(domain.points()).filter(single) {
+                if a == b || !second.has_heading() || !domain.is_oriented(b) || first.sampled == second.sampled {
                     continue;
                 }
                 for relation in [Relation::Magnitude, Relation::Coordinate] {

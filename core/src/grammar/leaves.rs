@@ -4,15 +4,15 @@
 //! Each function calls `visit` instead of returning an iterator: nested iterators of
 //! this kind take a kilobyte of stack, loops next to nothing.
 
+use super::body_leaves::{offs, parts_of_bodies, whole_bodies};
 use crate::domain::{Coordinate, Dimension, Domain, Extreme, Metric, Node, Point, Quantity};
-use crate::geometry::{Axis, Relation};
 
 /// A function that takes one feature after the other.
 pub(super) type Visit<'v> = &'v mut dyn FnMut(Node);
 
 /// Visits what the grammar makes of a quantity: the quantity itself, or, if it is about
 /// the first member of a group, its extremes over the members.
-fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
+pub(super) fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
     let members = domain.members_in(quantity);
     let mut members = members.iter().flatten();
     match (members.next(), members.next()) {
@@ -28,11 +28,19 @@ fn say(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
 
 /// As [`say`], without the greatest value: what is clear of one member of a group need not
 /// be clear of the others.
-fn say_least(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
+pub(super) fn say_least(domain: &Domain<'_>, quantity: Quantity, visit: Visit<'_>) {
     say(domain, quantity, &mut |term| match term {
         Node::Extreme(Extreme::Greatest, _) => {}
         term => visit(term),
     });
+}
+
+/// The points that relations are enumerated of.
+pub(super) fn shown<'d>(
+    domain: &'d Domain<'_>,
+) -> impl Iterator<Item = (u8, &'d Point<'d>)> + Clone {
+    let points = (0u8..).zip(domain.points());
+    points.filter(|(index, _)| !domain.is_hidden(*index))
 }
 
 /// The attributes of objects.
@@ -78,8 +86,7 @@ fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
     if domain.has_headings() {
         return;
     }
-    let all = (0u8..).zip(domain.points());
-    let points = all.filter(|(_, p)| p.is_object() || p.sampled);
+    let points = shown(domain).filter(|(_, p)| p.is_object() || p.sampled);
     for (vertex, at) in points.clone() {
         for (a, first) in points.clone().filter(|(a, _)| *a != vertex) {
             let others = points.clone().take_while(|(b, _)| *b < a);
@@ -92,39 +99,16 @@ fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
     }
 }
 
-const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
-
-/// Whether a point has a body with corners.
-fn has_corners(domain: &Domain<'_>, point: u8) -> bool {
-    let body = domain.body_of(point);
-    body.is_some_and(|body| body.solid.sizes.iter().flatten().nth(1).is_some())
-}
-
-/// Relations between bodies, of the sample or not: between any two things that stand
-/// somewhere, of which one at least has an extent.
-fn body_relations(domain: &Domain<'_>, relations: &[Relation], sampled: bool, visit: Visit<'_>) {
-    let stands = |index: u8, point: &Point<'_>| {
-        point.sampled || point.is_object() || domain.body_of(index).is_some()
-    };
-    for relation in relations {
-        for (a, first) in (0u8..).zip(domain.points()).filter(|(a, p)| stands(*a, p)) {
-            for (b, second) in (0u8..).zip(domain.points()).filter(|(b, p)| stands(*b, p)) {
-                let ordered = match relation {
-                    // The same both ways round: what moves first, as a person would say it.
-                    Relation::Clear if first.sampled == second.sampled => a > b,
-                    Relation::Clear => first.sampled,
-                    // Only what has an extent can hold something.
-                    Relation::Inside | Relation::InsideAlong(_) | Relation::Over => {
-                        domain.body_of(b).is_some()
-                    }
-                    Relation::Corner => has_corners(domain, a),
-                    Relation::Coordinate(_) | Relation::Magnitude(_) => second.has_heading(),
-                };
-                let sized = domain.body_of(a).is_some() || domain.body_of(b).is_some();
-                let moves = first.sampled || second.sampled;
-                if a != b && ordered && sized && moves == sampled {
-                    let quantity = Quantity::Relation(*relation, a, b);
-                    say_least(domain, quantity, visit);
+/// The angles of headings, of the sample or not, where things look the same after half a
+/// turn, a third, a quarter or a sixth of one.
+pub(super) fn folded_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
+    for symmetry in [2, 3, 4, 6] {
+        for (a, first) in shown(domain) {
+            for (b, second) in shown(domain).take_while(|(b, _)| *b < a) {
+                let turned = first.has_heading() && second.has_heading();
+                if turned && (first.sampled || second.sampled) == sampled {
+                    let (a, b) = ordered((a, first), (b, second));
+                    say(domain, Quantity::FoldedAngle(symmetry, a, b), visit);
                 }
             }
         }
@@ -147,12 +131,11 @@ pub(super) fn relations(
     };
     let bodies = dimension == Dimension::Length && !domain.bodies().is_empty();
     if bodies {
-        const WHOLE: [Relation; 3] = [Relation::Clear, Relation::Inside, Relation::Over];
-        body_relations(domain, &WHOLE, sampled, visit);
+        whole_bodies(domain, sampled, visit);
     }
     let angles = dimension == Dimension::Angle;
-    for (a, first) in (0u8..).zip(domain.points()) {
-        for (b, second) in (0u8..a).zip(domain.points()) {
+    for (a, first) in shown(domain) {
+        for (b, second) in shown(domain).take_while(|(b, _)| *b < a) {
             if (first.sampled || second.sampled) != sampled {
                 continue;
             }
@@ -166,20 +149,13 @@ pub(super) fn relations(
         }
     }
     if bodies {
-        body_relations(domain, &[Relation::Corner], sampled, visit);
-        let axes = AXES.get(..domain.axes()).unwrap_or(&AXES);
-        for along in [
-            Relation::InsideAlong,
-            Relation::Magnitude,
-            Relation::Coordinate,
-        ] {
-            for axis in axes {
-                body_relations(domain, &[along(*axis)], sampled, visit);
-            }
-        }
+        parts_of_bodies(domain, sampled, visit);
     }
     if angles {
         vertex_angles(domain, sampled, visit);
+        if sampled && !domain.bodies().is_empty() {
+            offs(domain, visit);
+        }
     }
     if dimension == Dimension::Area && !sampled {
         for (shape, _) in (0u8..).zip(domain.shapes()) {
@@ -238,6 +214,151 @@ mod tests {
             .write_expression(&mut text, &[term], NodeId(0))
             .unwrap();
         text
+    }
+
+    /// What is said of a domain that begins with one of some words.
+    fn said_with(domain: &str, words: &[&str]) -> Vec<String> {
+        let domain = Domain::parse(domain).unwrap();
+        let said = said(&domain).into_iter();
+        let texts = said.map(|(_, term)| written(&domain, term));
+        texts
+            .filter(|text| words.iter().any(|word| text.starts_with(word)))
+            .collect()
+    }
+
+    #[test]
+    fn sights_are_from_what_moves_to_what_stands_past_a_third_thing() {
+        let domain = "object tray { x: length, y: length } shape tray = rectangle(3, 2)
+            object post[2] { x: length, y: length } shape post = circle(0.1)
+            object cart { x: length, y: length } shape cart = circle(1)
+            point spot = tray + (1, 1)
+            parameter p in [0, 1]: length
+            point hand = world + (p, 0) shape hand = circle(0.5)
+            point tip = cart + (p, 1) shape tip = rectangle(0.5, 1)";
+        assert_eq!(
+            said_with(
+                domain,
+                &[
+                    "clear(line",
+                    "clear(sweep",
+                    "min(clear(line",
+                    "min(clear(sweep"
+                ]
+            ),
+            [
+                "min(clear(line(hand, tray), post))",
+                "clear(line(hand, tray), cart)",
+                "min(clear(sweep(hand, tray), post))",
+                "clear(sweep(hand, tray), cart)",
+                "clear(line(hand, cart), tray)",
+                "min(clear(line(hand, cart), post))",
+                "clear(sweep(hand, cart), tray)",
+                "min(clear(sweep(hand, cart), post))",
+                // The spot is on the tray, and no circle.
+                "min(clear(line(hand, spot), post))",
+                "clear(line(hand, spot), cart)",
+                // The tip goes with the cart.
+                "min(clear(line(tip, tray), post))",
+                "clear(line(tip, cart), tray)",
+                "min(clear(line(tip, cart), post))",
+                "min(clear(line(tip, spot), post))",
+            ]
+        );
+        let without = domain.replace("shape", "#");
+        assert_eq!(said_with(&without, &["clear", "min(clear"]), [""; 0]);
+    }
+
+    #[test]
+    fn what_is_off_a_direction_moves_or_is_off_what_moves() {
+        let domain = "object eye { x: length, y: length, theta: angle } shape eye = circle(1)
+            object mark[2] { x: length, y: length } object sign { x: length, y: length }
+            parameter p in [0, 1]: length
+            point hand = world + (p, 0) point cam = eye + (p, 0) point cam.lens = cam + (1, 0)";
+        assert_eq!(
+            said_with(domain, &["off", "min(off", "max(off"]),
+            [
+                "off(hand, eye)",
+                "off(cam, eye)",
+                "off(cam.lens, eye)",
+                "off(eye, cam)",
+                "min(off(mark, cam))",
+                "max(off(mark, cam))",
+                "off(sign, cam)",
+                "off(hand, cam)",
+                "off(eye, cam.lens)",
+                "min(off(mark, cam.lens))",
+                "max(off(mark, cam.lens))",
+                "off(sign, cam.lens)",
+                "off(hand, cam.lens)",
+            ]
+        );
+        let without = domain.replace("shape", "#");
+        assert_eq!(said_with(&without, &["off", "min(off"]), [""; 0]);
+    }
+
+    #[test]
+    fn a_compound_stands_before_its_parts() {
+        let domain = "object can[2] { x: length, y: length } shape can = circle(0.1)
+            object bin { x: length, y: length } shape bin = rectangle(2, 2) centred
+            parameter p in [0, 1]: length
+            point grip = world + (p, 0) shape grip = none
+            point left = grip + (0, 1) shape left = rectangle(1, 1) centred
+            point right = grip + (0, -1) shape right = circle(1)
+            shape gripper = left + right";
+        assert_eq!(
+            said_with(domain, &["clear", "min(clear", "inside(", "corner"]),
+            [
+                "min(clear(bin, can))",
+                "min(clear(gripper, can))",
+                "clear(gripper, bin)",
+                "min(clear(left, can))",
+                "clear(left, bin)",
+                "min(clear(right, can))",
+                "clear(right, bin)",
+                "inside(gripper, bin)",
+                "inside(bin, left)",
+                "inside(bin, right)",
+                "inside(left, bin)",
+                "inside(right, bin)",
+                "min(clear(line(left, bin), can))",
+                "min(clear(line(right, bin), can))",
+                "min(clear(sweep(right, bin), can))",
+                "corner(gripper, bin)",
+                "corner(bin, left)",
+                "corner(bin, right)",
+                "corner(left, bin)",
+            ]
+        );
+        let of_grip = said_with(domain, &["dist(grip,", "off(grip"]);
+        assert_eq!(of_grip, [""; 0]);
+        assert_eq!(said_with(domain, &["grip.x", "dist(left, bin)"]).len(), 2);
+    }
+
+    #[test]
+    fn folded_angles_are_of_each_pair_of_headings() {
+        let domain = "object bar { x: length, y: length, theta: angle }
+            object nut[2] { x: length, y: length, theta: angle }
+            parameter p in [0, 1]: angle
+            point hand = world turned p point tip = hand + (1, 0)";
+        let domain = Domain::parse(domain).unwrap();
+        let said = |sampled: bool| {
+            let mut said = Vec::new();
+            folded_angles(&domain, sampled, &mut |term| {
+                said.push(written(&domain, term));
+            });
+            said
+        };
+        let of_nut = |symmetry| ["min", "max"].map(|extreme| format!("{extreme}({symmetry})"));
+        let mut expected: Vec<_> = Vec::new();
+        for symmetry in ["pi", "symmetry 3", "0.5*pi", "symmetry 6"] {
+            expected.push(format!("angle(hand, bar, {symmetry})"));
+            expected.extend(of_nut(format!("angle(hand, nut, {symmetry})")));
+        }
+        assert_eq!(said(true), expected);
+        let standing = said(false);
+        assert_eq!(standing.len(), 2 * 4);
+        assert_eq!(standing.first().unwrap(), "min(angle(nut, bar, pi))");
+        assert_eq!(standing.last().unwrap(), "max(angle(nut, bar, symmetry 6))");
     }
 
     #[test]

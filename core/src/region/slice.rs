@@ -138,7 +138,8 @@ impl<R: Real> Cut<R> {
     #[inline(never)]
     fn add(&mut self, owner: u8, curve: &Curve<R>, comparison: Comparison) -> Result<(), Error> {
         let [low, high] = self.ends;
-        let inside = |t: R| low <= t && t <= high && curve.is_near_zero(t);
+        let passes = |t: R| curve.is_near_zero(t) || curve.may_jump(t);
+        let inside = |t: R| low <= t && t <= high && passes(t);
         let holds_between = |a: R, b: R| {
             let value = curve.value(middle(a, b));
             comparison.holds(&value, &R::ZERO)
@@ -178,9 +179,9 @@ impl<R: Real> Cut<R> {
     fn add_choices(&mut self, owner: u8, choices: &Choices<'_, '_, R>) -> Result<(), Error> {
         let [low, mut end] = self.ends;
         for curve in choices.curves() {
-            let inside = |t: &R| low <= *t && *t <= end && curve.is_near_zero(*t);
-            let equal = |t: &R| inside(t) && choices.is_near_zero(*t);
-            for at in curve.roots().into_iter().filter(equal) {
+            let equal = |t: R| curve.is_near_zero(t) && choices.is_near_zero(t);
+            let passes = |t: &R| low <= *t && *t <= end && (equal(*t) || curve.may_jump(*t));
+            for at in curve.roots().into_iter().filter(passes) {
                 let mut known = self.breaks.iter().zip(&self.roots);
                 if !known.any(|(place, root)| root.owner() == owner && *place == at) {
                     self.insert(owner, at, false)?;

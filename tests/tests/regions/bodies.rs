@@ -2,9 +2,10 @@
 //! mean what a few lines of geometry say, and draws and proofs of emptiness follow.
 
 use critreg::Error;
-use critreg::domain::Domain;
+use critreg::domain::{Domain, Node, PointSet, Range, Scene};
 use critreg::random::{Generator, below, generator, uniform, uniform_in};
 use critreg::region::{Grounded, Region};
+use critreg::text::Lexer;
 use critreg_tests::text;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -12,27 +13,27 @@ type Point = [f64; 2];
 
 /// A rectangle in the plane.
 #[derive(Clone, Copy, Debug)]
-struct Rectangle {
-    centre: Point,
-    turn: f64,
-    half: Point,
+pub(super) struct Rectangle {
+    pub(super) centre: Point,
+    pub(super) turn: f64,
+    pub(super) half: Point,
 }
 
 impl Rectangle {
-    fn new(centre: Point, turn: f64, size: Point) -> Rectangle {
+    pub(super) fn new(centre: Point, turn: f64, size: Point) -> Rectangle {
         let half = size.map(|whole| whole / 2.0);
         Rectangle { centre, turn, half }
     }
 
     /// A point of its own frame, in the world.
-    fn world(&self, [x, y]: Point) -> Point {
+    pub(super) fn world(&self, [x, y]: Point) -> Point {
         let (sin, cos) = self.turn.sin_cos();
         let [cx, cy] = self.centre;
         [cx + cos * x - sin * y, cy + sin * x + cos * y]
     }
 
     /// A point of the world, in its own frame.
-    fn own(&self, [x, y]: Point) -> Point {
+    pub(super) fn own(&self, [x, y]: Point) -> Point {
         let (sin, cos) = self.turn.sin_cos();
         let [x, y] = [x - self.centre[0], y - self.centre[1]];
         [cos * x + sin * y, cos * y - sin * x]
@@ -49,13 +50,13 @@ impl Rectangle {
     }
 
     /// How far inside of it a point is, along each of its axes.
-    fn room(&self, point: Point) -> Point {
+    pub(super) fn room(&self, point: Point) -> Point {
         let [x, y] = self.own(point);
         [self.half[0] - x.abs(), self.half[1] - y.abs()]
     }
 
     /// The distance of a point; below zero inside of it.
-    fn distance(&self, point: Point) -> f64 {
+    pub(super) fn distance(&self, point: Point) -> f64 {
         let [x, y] = self.room(point);
         match x.min(y) {
             depth if depth >= 0.0 => -depth,
@@ -102,7 +103,7 @@ fn from_segment([a, b]: [Point; 2], p: Point) -> f64 {
     (p[0] - a[0] - t * along[0]).hypot(p[1] - a[1] - t * along[1])
 }
 
-fn least(values: impl IntoIterator<Item = f64>) -> f64 {
+pub(super) fn least(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(f64::INFINITY, f64::min)
 }
 
@@ -479,13 +480,62 @@ fn every_shape_is_where_it_is_said_to_be() {
 }
 
 /// Draws succeed and are inside, or there is next to nothing to draw.
-fn check_draws(grounded: &Grounded<'_, f64>, text: &str, rng: &mut Generator) {
+pub(super) fn check_draws(grounded: &Grounded<'_, f64>, text: &str, rng: &mut Generator) {
     let length = grounded.intervals().unwrap().length();
     for _ in 0..5 {
         match grounded.sample(rng) {
             Ok(theta) => assert!(grounded.contains(&theta[..1]).unwrap(), "{text}"),
             Err(error) => assert!(length < 1e-6, "{text}: {error}, but {length} is admitted"),
         }
+    }
+}
+
+/// The bounds of an expression over boxes of parameters are beyond its values in them, and no
+/// farther apart than it is said for the size of a box.
+pub(super) fn check_ranges(
+    domain: &Domain,
+    numbers: &[f64],
+    text: &str,
+    widest: fn(f64) -> f64,
+    rng: &mut Generator,
+) {
+    let mut nodes: heapless::Vec<Node, 16> = heapless::Vec::new();
+    let id = domain
+        .parse_expression(&mut Lexer::new(text), &mut nodes)
+        .expect(text);
+    let scene = Scene::<f64>::new(domain, numbers, PointSet::of(domain, &nodes)).unwrap();
+    for size in [0.01, 0.1, 0.5] {
+        let boxed: Vec<_> = domain
+            .parameters()
+            .iter()
+            .map(|parameter| {
+                let low = uniform_in(rng, parameter.low, parameter.high - size);
+                let high = low + uniform_in(rng, 0.0, size);
+                Range { low, high }
+            })
+            .collect();
+        let bounds = scene.sample(&boxed).measure(&nodes, id);
+        assert!(bounds.low <= bounds.high, "{text}: {bounds:?}");
+        for _ in 0..40 {
+            let theta: Vec<_> = boxed
+                .iter()
+                .map(|range| match below(rng, 4) {
+                    0 => range.low,
+                    1 => range.high,
+                    _ => uniform_in(rng, range.low, range.high),
+                })
+                .collect();
+            let value = scene.sample(&theta).measure(&nodes, id);
+            let bounded = bounds.low - 1e-9 <= value && value <= bounds.high + 1e-9;
+            assert!(
+                bounded,
+                "{text}: {value} at {theta:?}, {bounds:?} over {boxed:?}"
+            );
+        }
+        assert!(
+            bounds.high - bounds.low <= widest(size) || bounds.low == f64::INFINITY,
+            "{text}: {bounds:?} over {boxed:?}"
+        );
     }
 }
 

@@ -1,6 +1,9 @@
 //! Domains, terms and regions: their text, membership, intervals and draws.
 
 mod bodies;
+mod bodies_angles;
+mod bodies_compound;
+mod bodies_sight;
 mod groups;
 mod intersection;
 mod region;

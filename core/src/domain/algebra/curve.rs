@@ -1,13 +1,12 @@
 //! Curves: features along a line of parameters.
 
 use super::line::Line;
-use super::{Algebra, Arithmetic, Measure, dot};
-use crate::domain::body_pair::BodyPair;
+use super::{Algebra, Arithmetic, Measure, cross, dot};
 use crate::domain::node::Extreme;
 use crate::real::Real;
 
-/// `line(t) + factor * |vector(t)|`, or `line(t) + factor * angle(t)` with the angle
-/// between the vector and a fixed direction.
+/// `line(t) + factor * bend(t)`, where the bend is the length of a vector, the angle
+/// between it and a fixed direction, or another [`Bend`].
 ///
 /// This is what the features of the grammar become along a line of parameters. Unknown are
 /// those with two lengths or angles of vectors, a product of two parameters, a turn by a
@@ -16,12 +15,25 @@ use crate::real::Real;
 pub struct Curve<R> {
     /// The straight part.
     pub line: Line<R>,
-    /// By what the length or the angle is multiplied.
+    /// By what the bend is multiplied.
     pub factor: R,
     /// The vector whose length or angle is taken.
     pub vector: [Line<R>; 3],
-    /// For an angle, the part of the vector along the direction.
-    pub along: Option<Line<R>>,
+    /// What is taken of the vector.
+    pub bend: Bend<R>,
+}
+
+/// What a curve has of its vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bend<R> {
+    /// Its length.
+    Length,
+    /// Its angle to a direction; here is its part along that.
+    Angle(Line<R>),
+    /// The cosine of that angle, times how long the direction is.
+    Cosine([R; 3]),
+    /// The sine of that angle, times how long the direction is.
+    Sine([R; 3]),
 }
 
 impl<R: Real> Curve<R> {
@@ -35,7 +47,11 @@ impl<R: Real> Curve<R> {
         (self.line.slope + self.factor).is_finite()
             && self.vector.iter().all(known)
             // The roots of an angle against a straight line have no closed form.
-            && self.along.is_none_or(|along| known(&along) && self.line.slope == R::ZERO)
+            && match self.bend {
+                Bend::Length => true,
+                Bend::Angle(along) => known(&along) && self.line.slope == R::ZERO,
+                Bend::Cosine(_) | Bend::Sine(_) => self.line.slope == R::ZERO,
+            }
     }
 
     /// Whether its value along the line is known, and a number everywhere.
@@ -55,20 +71,28 @@ impl<R: Real> Curve<R> {
 
     /// The length or angle of the vector at `t`.
     fn bend(&self, t: R) -> R {
-        let length = R::norm(self.vector.map(|v| v.value(t)));
-        let Some(along) = self.along else {
-            return length;
-        };
-        let along = along.value(t);
-        let across = (length * length - along * along).max(R::ZERO).sqrt();
-        across.atan2(along)
+        let vector = self.vector.map(|v| v.value(t));
+        let length = R::norm(vector);
+        match self.bend {
+            Bend::Length => length,
+            Bend::Angle(along) => {
+                let along = along.value(t);
+                let across = (length * length - along * along).max(R::ZERO).sqrt();
+                across.atan2(along)
+            }
+            Bend::Cosine(direction) => dot(vector, direction) / length,
+            Bend::Sine(direction) => R::norm(cross(vector, direction)) / length,
+        }
     }
 
     /// Where it may be zero: the roots of `line(t) = -factor * |vector(t)|`, squared, or
     /// NaN or infinite where there is none. A root of the squared equation need not be one
     /// of the curve.
     pub fn roots(&self) -> [R; 2] {
-        let Some((Line { at: a, slope: b }, factor)) = self.without_angle() else {
+        if let Bend::Sine(direction) = self.bend {
+            return self.roots_of_sine(direction);
+        }
+        let Some((Line { at: a, slope: b }, factor)) = self.as_length() else {
             return [R::NAN; 2];
         };
         if factor == R::ZERO {
@@ -86,27 +110,35 @@ impl<R: Real> Curve<R> {
             let (at, slope) = (factor * v.at, factor * v.slope);
             return [-(a + at) / (b + slope), -(a - at) / (b - slope)];
         }
-        let square = |f: fn(&Line<R>) -> R, g: fn(&Line<R>) -> R| {
-            let products = self.vector.iter().map(|v| f(v) * g(v));
-            factor * factor * products.fold(R::ZERO, |sum, p| sum + p)
-        };
-        quadratic_roots(
-            square(|v| v.slope, |v| v.slope) - b * b,
-            square(|v| v.at, |v| v.slope) - a * b,
-            square(|v| v.at, |v| v.at) - a * a,
-        )
+        let [c, d, e] = squares(&self.vector, factor);
+        quadratic_roots(c - b * b, d - a * b, e - a * a)
     }
 
-    /// The straight part and the factor of a curve without an angle that has the same
-    /// vector and the same roots: a vector has an angle to a direction where its part along
-    /// the direction is its length times the cosine. `None` if there are no roots.
-    fn without_angle(&self) -> Option<(Line<R>, R)> {
-        let Some(along) = self.along else {
-            return Some((self.line, self.factor));
-        };
-        let angle = -self.line.at / self.factor;
-        let possible = angle >= R::ZERO && angle <= R::from_f64(core::f64::consts::PI);
-        possible.then(|| (along, -angle.sin_cos().1))
+    /// The straight part and the factor of a curve with the length of the same vector that
+    /// has the same roots: a vector has an angle to a direction where its part along the
+    /// direction is its length times the cosine. `None` if there are no roots.
+    fn as_length(&self) -> Option<(Line<R>, R)> {
+        match self.bend {
+            Bend::Length => Some((self.line, self.factor)),
+            Bend::Angle(along) => {
+                let angle = -self.line.at / self.factor;
+                let possible = angle >= R::ZERO && angle <= R::from_f64(core::f64::consts::PI);
+                possible.then(|| (along, -angle.sin_cos().1))
+            }
+            Bend::Cosine(direction) => {
+                let along = dot(self.vector, direction.map(Line::constant));
+                Some((along.scaled(self.factor), self.line.at))
+            }
+            Bend::Sine(_) => None,
+        }
+    }
+
+    /// Where the part of the vector across a direction is its length times some number.
+    fn roots_of_sine(&self, direction: [R; 3]) -> [R; 2] {
+        let across = cross(self.vector, direction.map(Line::constant));
+        let [a, b, c] = squares(&across, self.factor);
+        let [d, e, f] = squares(&self.vector, self.line.at);
+        quadratic_roots(a - d, b - e, c - f)
     }
 
     /// Whether the value at `t` is zero, up to rounding.
@@ -114,6 +146,17 @@ impl<R: Real> Curve<R> {
         let size = self.line.at.abs() + (self.line.slope * t).abs();
         let tolerance = R::SQRT_EPSILON * (R::ONE + size);
         self.value(t).abs() <= tolerance
+    }
+
+    /// Whether it may jump at `t`: an angle does where its vector turns round in the origin.
+    pub fn may_jump(&self, t: R) -> bool {
+        if self.factor == R::ZERO || !matches!(self.bend, Bend::Angle(_)) {
+            return false;
+        }
+        let size = self.vector.iter().fold(R::ZERO, |size, v| {
+            size.max(v.at.abs() + (v.slope * t).abs())
+        });
+        R::norm(self.vector.map(|v| v.value(t))) <= R::SQRT_EPSILON * size
     }
 
     fn sum(self, other: Self, sign: R) -> Self {
@@ -144,7 +187,7 @@ impl<R: Real> Algebra<R> for Line<R> {
             line: self,
             factor: R::ZERO,
             vector: [Line::constant(R::ZERO); 3],
-            along: None,
+            bend: Bend::Length,
         }
     }
     fn norm(vector: [Self; 3]) -> Curve<R> {
@@ -155,7 +198,7 @@ impl<R: Real> Algebra<R> for Line<R> {
             line: Line::constant(R::ZERO),
             factor: R::ONE,
             vector,
-            along: None,
+            bend: Bend::Length,
         }
     }
     fn angle(a: [Self; 3], b: [Self; 3]) -> Curve<R> {
@@ -178,8 +221,13 @@ impl<R: Real> Algebra<R> for Line<R> {
             line: Line::constant(R::ZERO),
             factor: R::ONE,
             vector: moving,
-            along: Some(dot(moving, direction)),
+            bend: Bend::Angle(dot(moving, direction)),
         }
+    }
+    /// It is one curve only where it does not vary; else there is one for each multiple.
+    fn folded(self, period: R) -> Curve<R> {
+        let known = self.known();
+        known.map_or_else(Curve::unknown, |at| Curve::constant(at.folded(period)))
     }
     fn known(self) -> Option<R> {
         (self.slope == R::ZERO).then_some(self.at)
@@ -187,14 +235,16 @@ impl<R: Real> Algebra<R> for Line<R> {
     fn about(self) -> Option<(R, R)> {
         Some((self.known()?, R::ZERO))
     }
-    fn widened(self, _: R) -> Self {
-        self
-    }
-    /// A relation is one curve only where nothing moves; else it is made of pieces.
-    fn relation(pair: &BodyPair<R>, difference: [Self; 3], _: R) -> Curve<R> {
-        match difference.map(Line::known) {
-            [Some(x), Some(y), Some(z)] => Curve::constant(pair.value([x, y, z])),
-            _ => Curve::unknown(),
+    /// It is one curve only where nothing moves; else it is made of pieces.
+    fn length_of<const N: usize>(
+        vectors: [[Self; 3]; N],
+        _: R,
+        value: impl Fn([[R; 3]; N]) -> R,
+    ) -> Curve<R> {
+        let moves = vectors.iter().flatten().any(|v| v.known().is_none());
+        match moves {
+            true => Curve::unknown(),
+            false => Curve::constant(value(vectors.map(|vector| vector.map(|v| v.at)))),
         }
     }
 }
@@ -227,6 +277,9 @@ impl<R: Real> Arithmetic<R> for Curve<R> {
             ..self
         }
     }
+    fn widened(self, _: R) -> Self {
+        self
+    }
 }
 
 impl<R: Real> Measure<R> for Curve<R> {
@@ -241,13 +294,33 @@ impl<R: Real> Measure<R> for Curve<R> {
     }
 }
 
-/// The roots of `a t^2 + 2 b t + c`, without cancellation.
+/// The square of a factor times the length of a vector along a line: `[a, b, c]` of
+/// `a t^2 + 2 b t + c`.
+fn squares<R: Real>(vector: &[Line<R>; 3], factor: R) -> [R; 3] {
+    let square = |f: fn(&Line<R>) -> R, g: fn(&Line<R>) -> R| {
+        let products = vector.iter().map(|v| f(v) * g(v));
+        factor * factor * products.fold(R::ZERO, |sum, p| sum + p)
+    };
+    [
+        square(|v| v.slope, |v| v.slope),
+        square(|v| v.at, |v| v.slope),
+        square(|v| v.at, |v| v.at),
+    ]
+}
+
+/// The roots of `a t^2 + 2 b t + c`, without cancellation. Two roots that are one but for
+/// rounding are one: where a curve touches zero, and of an angle that is a right one.
 fn quadratic_roots<R: Real>(a: R, b: R, c: R) -> [R; 2] {
     let discriminant = b * b - a * c;
-    if discriminant < R::ZERO {
+    let rounding = R::from_f64(8.0) * R::EPSILON * b * b;
+    if discriminant < -rounding {
         return [R::NAN; 2];
     }
-    let root = discriminant.sqrt();
+    let root = if discriminant.abs() <= rounding {
+        R::ZERO
+    } else {
+        discriminant.sqrt()
+    };
     let q = if b < R::ZERO { root - b } else { -(b + root) };
     [q / a, c / q]
 }

@@ -60,4 +60,7 @@ impl<R: Real> Arithmetic<R> for Line<R> {
             slope: self.slope * factor,
         }
     }
+    fn widened(self, _: R) -> Self {
+        self
+    }
 }

@@ -10,11 +10,10 @@ mod line;
 mod number;
 mod range;
 
-pub use curve::Curve;
+pub use curve::{Bend, Curve};
 pub use line::Line;
 pub use range::Range;
 
-use super::body_pair::BodyPair;
 use super::node::Extreme;
 use crate::real::Real;
 
@@ -34,6 +33,8 @@ pub trait Arithmetic<R: Real>: Copy {
     fn scaled(self, factor: R) -> Self {
         self.times(Self::constant(factor))
     }
+    /// The same quantity, known less exactly by so much.
+    fn widened(self, by: R) -> Self;
 }
 
 /// What features are computed in.
@@ -54,18 +55,31 @@ pub trait Algebra<R: Real>: Arithmetic<R> {
     fn norm(vector: [Self; 3]) -> Self::Measure;
     /// The angle between two vectors, in `[0, pi]`; zero if one of them is zero.
     fn angle(a: [Self; 3], b: [Self; 3]) -> Self::Measure;
+    /// How far it is from the nearest multiple of a number.
+    fn folded(self, period: R) -> Self::Measure;
     /// The number, if it does not vary.
     fn known(self) -> Option<R>;
     /// A number and how far it is from this quantity at most; `None` if that is unknown.
     fn about(self) -> Option<(R, R)>;
-    /// The same quantity, known less exactly by so much.
-    fn widened(self, by: R) -> Self;
-    /// A relation between two bodies, where the first one's centre is this far from the
-    /// second one's, and turning them may change it by so much.
-    fn relation(pair: &BodyPair<R>, difference: [Self; 3], slack: R) -> Self::Measure;
+    /// What follows from some vectors, as a length that changes by no more than the one of
+    /// them does that changes most, and by `slack` for all else that is not known.
+    fn length_of<const N: usize>(
+        vectors: [[Self; 3]; N],
+        slack: R,
+        value: impl Fn([[R; 3]; N]) -> R,
+    ) -> Self::Measure;
 }
 
 fn dot<R: Real, A: Arithmetic<R>>(a: [A; 3], b: [A; 3]) -> A {
     let ([ax, ay, az], [bx, by, bz]) = (a, b);
     ax.times(bx).plus(ay.times(by)).plus(az.times(bz))
+}
+
+fn cross<R: Real, A: Arithmetic<R>>(a: [A; 3], b: [A; 3]) -> [A; 3] {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    [
+        ay.times(bz).minus(az.times(by)),
+        az.times(bx).minus(ax.times(bz)),
+        ax.times(by).minus(ay.times(bx)),
+    ]
 }

@@ -1,7 +1,6 @@
 //! Numbers: what a term is at one sample.
 
-use super::{Algebra, Arithmetic, Measure, dot};
-use crate::domain::body_pair::BodyPair;
+use super::{Algebra, Arithmetic, Measure, cross, dot};
 use crate::domain::node::Extreme;
 use crate::real::Real;
 
@@ -20,6 +19,9 @@ impl<R: Real> Arithmetic<R> for R {
     }
     fn times(self, other: R) -> R {
         self * other
+    }
+    fn widened(self, _: R) -> R {
+        self
     }
 }
 
@@ -47,9 +49,11 @@ impl<R: Real> Algebra<R> for R {
     /// Well conditioned for every angle: the arc tangent of the lengths of the cross
     /// and the dot product.
     fn angle(a: [R; 3], b: [R; 3]) -> R {
-        let ([ax, ay, az], [bx, by, bz]) = (a, b);
-        let cross = [az * by - ay * bz, ax * bz - az * bx, ay * bx - ax * by];
-        R::norm(cross).atan2(dot(a, b))
+        R::norm(cross(a, b)).atan2(dot(a, b))
+    }
+    fn folded(self, period: R) -> R {
+        let half = R::from_f64(0.5);
+        (self - period * (self / period + half).floor()).abs()
     }
     fn known(self) -> Option<R> {
         Some(self)
@@ -57,10 +61,11 @@ impl<R: Real> Algebra<R> for R {
     fn about(self) -> Option<(R, R)> {
         Some((self, R::ZERO))
     }
-    fn widened(self, _: R) -> R {
-        self
-    }
-    fn relation(pair: &BodyPair<R>, difference: [R; 3], _: R) -> R {
-        pair.value(difference)
+    fn length_of<const N: usize>(
+        vectors: [[R; 3]; N],
+        _: R,
+        value: impl Fn([[R; 3]; N]) -> R,
+    ) -> R {
+        value(vectors)
     }
 }

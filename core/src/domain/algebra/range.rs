@@ -1,7 +1,6 @@
 //! Ranges: bounds of a term over a box of parameters.
 
 use super::{Algebra, Arithmetic, Measure, dot};
-use crate::domain::body_pair::BodyPair;
 use crate::domain::node::Extreme;
 use crate::real::Real;
 
@@ -62,6 +61,12 @@ impl<R: Real> Arithmetic<R> for Range<R> {
             high: a.max(b).max(c.max(d)),
         }
     }
+    fn widened(self, by: R) -> Self {
+        Range {
+            low: self.low - by,
+            high: self.high + by,
+        }
+    }
 }
 
 impl<R: Real> Measure<R> for Range<R> {
@@ -108,6 +113,29 @@ impl<R: Real> Algebra<R> for Range<R> {
             high: angle(dot.low, [high, low]),
         }
     }
+    fn folded(self, period: R) -> Self {
+        let half = period * R::from_f64(0.5);
+        let nearest = period * (self.low / period + R::from_f64(0.5)).floor();
+        let (low, high) = (self.low - nearest, self.high - nearest);
+        // The lower end is at most half a period from zero, the upper one is above it.
+        let is_narrow = high - low < period;
+        if !is_narrow {
+            return Range {
+                low: R::ZERO,
+                high: half,
+            };
+        }
+        let passes_multiple = low <= R::ZERO && high >= R::ZERO || high >= period;
+        let (one, other) = (low.abs(), high.folded(period));
+        Range {
+            low: if passes_multiple {
+                R::ZERO
+            } else {
+                one.min(other)
+            },
+            high: if high >= half { half } else { one.max(other) },
+        }
+    }
     fn known(self) -> Option<R> {
         (self.low == self.high).then_some(self.low)
     }
@@ -115,17 +143,20 @@ impl<R: Real> Algebra<R> for Range<R> {
         let half = (self.high - self.low) * R::from_f64(0.5);
         half.is_finite().then(|| (self.low + half, half))
     }
-    fn widened(self, by: R) -> Self {
-        Range {
-            low: self.low - by,
-            high: self.high + by,
+    fn length_of<const N: usize>(
+        vectors: [[Self; 3]; N],
+        slack: R,
+        value: impl Fn([[R; 3]; N]) -> R,
+    ) -> Self {
+        let mut middles = [[R::ZERO; 3]; N];
+        let mut moved = R::ZERO;
+        for (middle, vector) in middles.iter_mut().zip(vectors) {
+            let [Some((x, dx)), Some((y, dy)), Some((z, dz))] = vector.map(Range::about) else {
+                return Self::unknown();
+            };
+            *middle = [x, y, z];
+            moved = moved.max(R::norm([dx, dy, dz]));
         }
-    }
-    /// Relations are lengths: they change by no more than their bodies move.
-    fn relation(pair: &BodyPair<R>, difference: [Self; 3], slack: R) -> Self {
-        let [Some((x, dx)), Some((y, dy)), Some((z, dz))] = difference.map(Range::about) else {
-            return Self::unknown();
-        };
-        Self::constant(pair.value([x, y, z])).widened(R::norm([dx, dy, dz]) + slack)
+        Self::constant(value(middles)).widened(moved + slack)
     }
 }

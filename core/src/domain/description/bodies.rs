@@ -1,8 +1,15 @@
-//! Statements that declare bodies: `shape name = solid`.
+//! Statements that declare bodies: `shape name = solid`, `shape name = part + part` and
+//! `shape name = none`.
 
 use super::parser::DomainParser;
-use crate::domain::{Base, Body, Dependence, Dimension, Node, NodeId, Shape, Solid};
-use crate::text::{Failed, Place};
+use crate::domain::{Base, Body, Compound, Dependence, Dimension, Node, NodeId, Shape, Solid};
+use crate::text::{Failed, Place, Token};
+use heapless::Vec;
+
+const KINDS: &str =
+    "expected a shape: circle, rectangle, box, capsule or segment, with sizes in brackets";
+const NO_PART: &str =
+    "this is no kind of shape with its sizes in brackets, and no name of something with a shape";
 
 /// Where a solid starts, has its middle and ends along an axis of its frame.
 #[derive(Clone, Copy)]
@@ -19,19 +26,20 @@ impl<'t> DomainParser<'_, 't> {
         let name = self
             .lexer
             .expect_name("expected the name of an object or a point")?;
-        let Some(point) = self.domain.find_point(name) else {
-            let what = match self.domain.find_object(name) {
-                Some(_) => "an object with a shape needs the attributes x and y",
-                None => "no object and no earlier point has this name",
-            };
-            return Err(self.lexer.fail_at(at, what));
-        };
-        if self.domain.body_of(point).is_some() {
-            return Err(self.lexer.fail_at(at, "this name has a shape already"));
-        }
         self.lexer.expect("=", "expected `=` and a shape")?;
+        let first = self.lexer.place();
+        let word = self.lexer.expect_name(KINDS)?;
+        let is_solid = self.lexer.token() == Token::Symbol("(");
+        if !is_solid && word != "none" {
+            return self.compound((name, at), (word, first));
+        }
+        let point = self.shapeless(name, at)?;
+        if !is_solid {
+            self.hide(point);
+            return Ok(());
+        }
         self.own = self.member_of_point(point).map(|member| member.group);
-        let solid = self.solid()?;
+        let solid = self.solid(word, first)?;
         self.own = None;
         let outlined = self.key_shape(name, &solid)?;
         if cfg!(feature = "bodies") {
@@ -47,12 +55,77 @@ impl<'t> DomainParser<'_, 't> {
         }
     }
 
-    /// Reads a solid.
-    fn solid(&mut self) -> Result<Solid, Failed> {
-        const KINDS: &str =
-            "expected a shape: circle, rectangle, box, capsule or segment, with sizes in brackets";
+    /// The point of this name, which has no shape yet.
+    fn shapeless(&mut self, name: &str, at: Place) -> Result<u8, Failed> {
+        let Some(point) = self.domain.find_point(name) else {
+            let what = match self.domain.find_object(name) {
+                Some(_) => "an object with a shape needs the attributes x and y",
+                None => "no object and no earlier point has this name",
+            };
+            return Err(self.lexer.fail_at(at, what));
+        };
+        if self.domain.body_of(point).is_some() || self.domain.is_hidden(point) {
+            return Err(self.lexer.fail_at(at, "this name has a shape already"));
+        }
+        Ok(point)
+    }
+
+    /// Keeps the relations of a point, or of each member of its group, from being enumerated.
+    fn hide(&mut self, point: u8) {
+        for index in (0u8..).take(self.count_of(point)) {
+            self.domain.hidden.insert(point.saturating_add(index));
+        }
+    }
+
+    /// How many points share the name of a point: those of every member.
+    fn count_of(&self, point: u8) -> usize {
+        let member = self.member_of_point(point);
+        member.map_or(1, |m| self.domain.members(m.group).len())
+    }
+
+    /// Reads the parts of a compound behind the first one.
+    fn compound(
+        &mut self,
+        (name, at): (&'t str, Place),
+        (first, first_at): (&'t str, Place),
+    ) -> Result<(), Failed> {
+        let mut parts = Vec::new();
+        let mut part = (first, first_at);
+        loop {
+            let point = self.part(part)?;
+            let pushed = parts.push(point);
+            pushed.map_err(|_| self.lexer.full("parts of a compound"))?;
+            if !self.lexer.accept("+") {
+                break;
+            }
+            let place = self.lexer.place();
+            part = (
+                self.lexer.expect_name("expected the name of a part")?,
+                place,
+            );
+        }
+        self.check_new(name, at, false)?;
+        let pushed = self.domain.compounds.push(Compound { name, parts });
+        pushed.map_err(|_| self.lexer.full("compounds of a domain"))
+    }
+
+    /// The point of a part, which is a single body.
+    fn part(&mut self, (name, at): (&str, Place)) -> Result<u8, Failed> {
+        let point = self.domain.find_point(name);
+        let Some(point) = point.filter(|point| self.domain.body_of(*point).is_some()) else {
+            return Err(self.lexer.fail_at(at, NO_PART));
+        };
+        match self.member_of_point(point) {
+            Some(_) => Err(self
+                .lexer
+                .fail_at(at, "a part is a single body, not a group")),
+            None => Ok(point),
+        }
+    }
+
+    /// Reads a solid of some kind, behind the word for it.
+    fn solid(&mut self, word: &str, at: Place) -> Result<Solid, Failed> {
         let mut solid = Solid::default();
-        let word = self.lexer.expect_name(KINDS)?;
         match word {
             "circle" => {
                 let [radius, ..] = self.sizes(1)?;
@@ -63,7 +136,7 @@ impl<'t> DomainParser<'_, 't> {
             "box" => solid.sizes = self.sizes(3)?,
             "capsule" => [solid.sizes[0], solid.radius, _] = self.sizes(2)?,
             "segment" => [solid.sizes[0], ..] = self.sizes(1)?,
-            _ => return Err(self.lexer.fail(KINDS)),
+            _ => return Err(self.lexer.fail_at(at, KINDS)),
         }
         if self.lexer.accept("rounded") {
             let at = self.lexer.place();
@@ -106,9 +179,7 @@ impl<'t> DomainParser<'_, 't> {
 
     /// Keeps a solid of a point, or one of each member of its group.
     fn bodies(&mut self, point: u8, solid: Solid) -> Result<(), Failed> {
-        let member = self.member_of_point(point);
-        let count = member.map_or(1, |m| self.domain.members(m.group).len());
-        for index in (0u8..).take(count) {
+        for index in (0u8..).take(self.count_of(point)) {
             let body = Body {
                 point: point.saturating_add(index),
                 solid: Solid {

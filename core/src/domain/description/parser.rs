@@ -3,7 +3,7 @@
 use crate::domain::expression::is_reserved;
 use crate::domain::node::{copy, intern};
 use crate::domain::{Dimension, Domain, Node, NodeId};
-use crate::text::{Failed, Lexer, split_at_dot};
+use crate::text::{Failed, Lexer, Place, split_at_dot};
 use heapless::Vec;
 
 /// The words of statements and formulas.
@@ -89,6 +89,12 @@ impl<'t> DomainParser<'_, 't> {
     pub(super) fn new_name(&mut self, what: &'static str, dotted: bool) -> Result<&'t str, Failed> {
         let at = self.lexer.place();
         let name = self.lexer.expect_name(what)?;
+        self.check_new(name, at, dotted)?;
+        Ok(name)
+    }
+
+    /// Checks that a name means nothing yet in an expression.
+    pub(super) fn check_new(&mut self, name: &str, at: Place, dotted: bool) -> Result<(), Failed> {
         if is_word(name) {
             return Err(self.lexer.fail_at(at, "this is a word of the language"));
         }
@@ -103,13 +109,14 @@ impl<'t> DomainParser<'_, 't> {
         let domain = &self.domain;
         let taken = domain.find_object(name).is_some()
             || domain.find_point(name).is_some()
+            || domain.find_compound(name).is_some()
             || domain.find_constant(name).is_some()
             || domain.find_parameter(name).is_some()
             || domain.find_slot(name).is_some();
         if taken {
             return Err(self.lexer.fail_at(at, "this name is declared already"));
         }
-        Ok(name)
+        Ok(())
     }
 
     pub(super) fn small(&mut self, index: usize) -> Result<u8, Failed> {

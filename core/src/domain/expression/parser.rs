@@ -3,7 +3,7 @@
 use super::properties::product_dimension;
 use super::words::{self, Function, UNKNOWN_FUNCTION};
 use crate::domain::node::intern;
-use crate::domain::{Dimension, Domain, Extreme, Node, NodeId, Quantity};
+use crate::domain::{Beam, Dimension, Domain, Extreme, Node, NodeId, Quantity, SYMMETRIES};
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Place, Token, split_at_last_dot};
 use heapless::VecView;
@@ -13,6 +13,9 @@ use heapless::VecView;
 pub const MAX_DEPTH: u8 = 12;
 
 const _: () = assert!(MAX_DEPTH == 12, "errors name it");
+
+const A_POINT: &str = "expected the name of a point";
+const SECOND_POINT: &str = "expected `,` and a second point";
 
 impl Domain<'_> {
     /// Reads an expression, which is `expr` in the [grammar](crate::domain#the-domain-text).
@@ -216,15 +219,83 @@ impl ExpressionParser<'_, '_, '_> {
         three: Option<Quantity>,
         lexer: &mut Lexer<'_>,
     ) -> Result<Node, Failed> {
-        let a = self.point(lexer)?;
-        lexer.expect(",", "expected `,` and a second point")?;
-        let b = self.point(lexer)?;
+        let at = lexer.place();
+        let first = lexer.expect_name(A_POINT)?;
+        if lexer.accept("(") {
+            return match words::beam(first) {
+                Some(beam) if two == Some(words::CLEAR) => self.sight(beam, lexer),
+                _ => Err(lexer.fail_at(at, "only clear(...) is about line(...) or sweep(...)")),
+            };
+        }
+        let takes_compounds = match two {
+            Some(Quantity::Relation(relation, ..)) => relation.takes_compounds(),
+            _ => [false; 2],
+        };
+        let [of_first, of_second] = takes_compounds;
+        let a = self.body_of_name(first, at, of_first, lexer)?;
+        lexer.expect(",", SECOND_POINT)?;
+        let b = self.body(of_second, lexer)?;
         let (example, c) = match (two, three) {
-            (_, Some(three)) if lexer.accept(",") => (three, self.point(lexer)?),
+            (_, Some(three)) if lexer.accept(",") => match self.symmetry(lexer)? {
+                Some(symmetry) => (Quantity::FoldedAngle(symmetry, a, b), b),
+                None => (three, self.point(lexer)?),
+            },
             (Some(two), _) => (two, b),
             (None, _) => return Err(lexer.fail("expected `,` and a third point")),
         };
         Ok(Node::Quantity(example.with_points([a, b, c])))
+    }
+
+    /// Reads a symmetry: the angle of a turn, as a product of numbers, or how many of them
+    /// make a full turn. `None` where the name of a point stands, or of nothing.
+    fn symmetry(&self, lexer: &mut Lexer<'_>) -> Result<Option<u8>, Failed> {
+        const WHAT: &str =
+            "a symmetry is 2*pi/n for a whole n from 2 to 12: pi, 0.5*pi, or symmetry 3";
+        const _: () = assert!(*SYMMETRIES.start() == 2 && *SYMMETRIES.end() == 12);
+        let at = lexer.place();
+        if let Token::Name(name) = lexer.token() {
+            let is_word = name == words::SYMMETRY || self.name(name).is_some();
+            if !is_word || self.domain.find_point(name).is_some() {
+                return Ok(None);
+            }
+        }
+        let turns = if lexer.accept(words::SYMMETRY) {
+            self.number(lexer)
+        } else {
+            let mut angle = self.number(lexer);
+            while lexer.accept("*") {
+                angle = angle.zip(self.number(lexer)).map(|(a, b)| a * b);
+            }
+            angle.map(|angle| core::f64::consts::TAU / angle)
+        };
+        let is_near = |n: &u8| turns.is_some_and(|turns| (turns - f64::from(*n)).abs() <= 1e-6);
+        let symmetry = SYMMETRIES.into_iter().find(is_near);
+        symmetry.map(Some).ok_or_else(|| lexer.fail_at(at, WHAT))
+    }
+
+    /// Reads a plain number, pi or a constant.
+    fn number(&self, lexer: &mut Lexer<'_>) -> Option<f64> {
+        let node = match lexer.advance() {
+            Token::Number(value) => Node::Number(value),
+            Token::Name(name) => self.name(name)?,
+            _ => return None,
+        };
+        self.domain.constant_value(&[node], NodeId(0))
+    }
+
+    /// Reads the ends of a line and the body that it is to be clear of.
+    fn sight(&self, beam: Beam, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
+        let at = lexer.place();
+        let a = self.point(lexer)?;
+        if beam == Beam::Sweep && !self.domain.is_round(a) {
+            return Err(lexer.fail_at(at, "only what has the shape of a circle can be swept"));
+        }
+        lexer.expect(",", SECOND_POINT)?;
+        let b = self.point(lexer)?;
+        lexer.expect(")", "expected `)` behind the ends of the line")?;
+        lexer.expect(",", "expected `,` and what the line is clear of")?;
+        let body = self.body(true, lexer)?;
+        Ok(Node::Quantity(Quantity::Sight(beam, a, b, body)))
     }
 
     fn area(&self, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
@@ -237,11 +308,31 @@ impl ExpressionParser<'_, '_, '_> {
     }
 
     fn point(&self, lexer: &mut Lexer<'_>) -> Result<u8, Failed> {
+        self.body(false, lexer)
+    }
+
+    /// Reads the name of a point, or of a compound where one may stand.
+    fn body(&self, may_be_compound: bool, lexer: &mut Lexer<'_>) -> Result<u8, Failed> {
         let at = lexer.place();
-        let name = lexer.expect_name("expected the name of a point")?;
-        self.domain
-            .find_point(name)
-            .ok_or_else(|| lexer.fail_at(at, "unknown point"))
+        let name = lexer.expect_name(A_POINT)?;
+        self.body_of_name(name, at, may_be_compound, lexer)
+    }
+
+    fn body_of_name(
+        &self,
+        name: &str,
+        at: Place,
+        may_be_compound: bool,
+        lexer: &mut Lexer<'_>,
+    ) -> Result<u8, Failed> {
+        let domain = self.domain;
+        let what = match (domain.find_point(name), domain.find_compound(name)) {
+            (Some(point), _) => return Ok(point),
+            (None, Some(compound)) if may_be_compound => return Ok(compound),
+            (None, Some(_)) => "this is said of a single body, and here are several",
+            (None, None) => "unknown point",
+        };
+        Err(lexer.fail_at(at, what))
     }
 
     fn name(&self, name: &str) -> Option<Node> {

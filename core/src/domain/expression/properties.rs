@@ -1,7 +1,7 @@
 //! What an expression measures, what it depends on, and its value if that is known.
 
 use crate::domain::node::node_at;
-use crate::domain::{Body, Coordinate, Dimension, Domain, Node, NodeId, Quantity};
+use crate::domain::{Beam, Body, Coordinate, Dimension, Domain, Node, NodeId, Quantity};
 
 /// What an expression depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,9 +37,12 @@ impl Domain<'_> {
             Quantity::Attribute(slot) => self.slot(slot).map(|(_, a)| a.dimension),
             Quantity::Coordinate(Coordinate::X | Coordinate::Y | Coordinate::Z, _)
             | Quantity::Distance(..)
-            | Quantity::Relation(..) => Some(Dimension::Length),
+            | Quantity::Relation(..)
+            | Quantity::Sight(..) => Some(Dimension::Length),
             Quantity::Coordinate(Coordinate::Theta, _)
             | Quantity::Angle(..)
+            | Quantity::FoldedAngle(..)
+            | Quantity::Off(..)
             | Quantity::VertexAngle(..) => Some(Dimension::Angle),
         }
     }
@@ -51,19 +54,16 @@ impl Domain<'_> {
                 Dependence::Constant
             }
             Ok(Node::Parameter(_)) => Dependence::Sample,
-            Ok(Node::Quantity(quantity) | Node::Extreme(_, quantity)) => {
-                let points = quantity.points();
-                let sampled = |i: &u8| {
-                    self.points()
-                        .get(usize::from(*i))
-                        .is_some_and(|p| p.sampled)
-                };
-                let sized = |id| self.dependence(self.nodes(), id) == Dependence::Sample;
-                let moves = points.iter().flatten().any(sampled);
-                match moves || self.sizes_of(quantity).any(sized) {
-                    true => Dependence::Sample,
-                    false => Dependence::Instance,
-                }
+            Ok(term @ (Node::Quantity(_) | Node::Extreme(..))) => {
+                let mut found = Dependence::Instance;
+                self.quantities(term, &mut |quantity| {
+                    let mut points = quantity.points().into_iter().flatten();
+                    let sized = |id| self.dependence(self.nodes(), id) == Dependence::Sample;
+                    if points.any(|p| self.moves(p)) || self.sizes_of(quantity).any(sized) {
+                        found = Dependence::Sample;
+                    }
+                });
+                found
             }
             Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
                 self.dependence(nodes, a).max(self.dependence(nodes, b))
@@ -97,11 +97,16 @@ impl Domain<'_> {
     /// The terms of the sizes of the bodies that a quantity is about.
     fn sizes_of(&self, quantity: Quantity) -> impl Iterator<Item = NodeId> {
         let points = match quantity {
-            Quantity::Relation(_, a, b) => [Some(a), Some(b)],
+            Quantity::Relation(_, a, b) | Quantity::Sight(Beam::Sweep, a, _, b) => {
+                [Some(a), Some(b)]
+            }
+            Quantity::Sight(Beam::Line, _, _, body) => [Some(body), None],
             Quantity::Attribute(_)
             | Quantity::Coordinate(..)
             | Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::FoldedAngle(..)
+            | Quantity::Off(..)
             | Quantity::VertexAngle(..) => [None; 2],
         };
         let bodies = points.into_iter().flatten();

@@ -1,7 +1,7 @@
 //! The words of expressions. The parser, the writer, the reserved names and the error for
 //! an unknown function all use these lists, and so agree.
 
-use crate::domain::{Coordinate, Extreme, Metric, Quantity};
+use crate::domain::{Beam, Coordinate, Extreme, Metric, Quantity};
 use crate::geometry::{Axis, Relation};
 
 /// What a name before brackets means.
@@ -39,6 +39,7 @@ functions! {
         Some(Quantity::Angle(0, 1)),
         Some(Quantity::VertexAngle(0, 1, 2)),
     ),
+    "off": Function::OfPoints(Some(Quantity::Off(0, 1)), None),
     "clear": related(Relation::Clear),
     "inside": related(Relation::Inside),
     "inside_x": related(Relation::InsideAlong(Axis::X)),
@@ -57,10 +58,17 @@ functions! {
     "max": Function::Extreme(Extreme::Greatest),
 }
 
+/// What may also be said of a line in place of the first body.
+pub(super) const CLEAR: Quantity = Quantity::Relation(Relation::Clear, 0, 1);
+
 /// A relation of the first body to the second one.
 const fn related(relation: Relation) -> Function {
     Function::OfPoints(Some(Quantity::Relation(relation, 0, 1)), None)
 }
+
+/// What a straight line between two points may be, as the first thing that is clear of
+/// another one. Points may have these names: no brackets follow them.
+const BEAMS: &[(&str, Beam)] = &[("line", Beam::Line), ("sweep", Beam::Sweep)];
 
 /// What a name behind a point and a dot means.
 const COORDINATES: &[(&str, Coordinate)] = &[
@@ -69,6 +77,9 @@ const COORDINATES: &[(&str, Coordinate)] = &[
     ("z", Coordinate::Z),
     ("theta", Coordinate::Theta),
 ];
+
+/// The word before the number of ways in which a thing can be turned and look the same.
+pub(super) const SYMMETRY: &str = "symmetry";
 
 /// The number pi.
 pub(super) const PI: &str = "pi";
@@ -97,6 +108,11 @@ pub(super) fn extreme(name: &str) -> Option<Extreme> {
     }
 }
 
+/// The line of this name.
+pub(super) fn beam(name: &str) -> Option<Beam> {
+    meaning(BEAMS, name)
+}
+
 /// The coordinate of this name.
 pub(super) fn coordinate(name: &str) -> Option<Coordinate> {
     meaning(COORDINATES, name)
@@ -111,7 +127,11 @@ fn meaning<T: Copy>(words: &[(&str, T)], name: &str) -> Option<T> {
 
 /// The name of the function that makes this quantity of points.
 pub(super) fn name_of_quantity(quantity: Quantity) -> Option<&'static str> {
-    let example = quantity.with_points([0, 1, 2]);
+    let example = match quantity.with_points([0, 1, 2]) {
+        Quantity::Sight(..) => CLEAR,
+        Quantity::FoldedAngle(_, a, b) => Quantity::Angle(a, b),
+        example => example,
+    };
     name(FUNCTIONS, |function| match *function {
         Function::OfPoints(two, three) => [two, three].contains(&Some(example)),
         Function::Area | Function::Extreme(_) => false,
@@ -121,6 +141,11 @@ pub(super) fn name_of_quantity(quantity: Quantity) -> Option<&'static str> {
 /// The name of the area or of an extreme.
 pub(super) fn name_of(function: Function) -> Option<&'static str> {
     name(FUNCTIONS, |own| *own == function)
+}
+
+/// The name of a line.
+pub(super) fn name_of_beam(beam: Beam) -> Option<&'static str> {
+    name(BEAMS, |own| *own == beam)
 }
 
 /// The name of a coordinate.
@@ -177,6 +202,10 @@ mod tests {
                 }
             }
         }
+        for (name, beam) in BEAMS {
+            let quantity = Quantity::Sight(*beam, 0, 1, 2);
+            examples.push((format!("clear({name}(a, b), c)"), Node::Quantity(quantity)));
+        }
         for (name, coordinate) in COORDINATES {
             let quantity = Quantity::Coordinate(*coordinate, 3);
             examples.push((format!("a.left.{name}"), Node::Quantity(quantity)));
@@ -188,7 +217,9 @@ mod tests {
     fn each_is_read_and_written_as_what_it_is() {
         let domain = Domain::parse(DOMAIN).unwrap();
         let examples = examples();
-        assert_eq!(examples.len(), FUNCTIONS.len() + 1 + COORDINATES.len());
+        let words = FUNCTIONS.len() + BEAMS.len() + COORDINATES.len();
+        // There are two functions called `angle`.
+        assert_eq!(examples.len(), words + 1);
         for (text, term) in examples {
             let mut nodes: Nodes<Node, 1> = Nodes::new();
             let mut lexer = Lexer::new(&text);
@@ -237,8 +268,12 @@ mod tests {
         let rules = rules.join("\n");
         // Every second piece is quoted. Some of these are signs.
         let quoted = rules.split('"').skip(1).step_by(2);
-        let documented: BTreeSet<_> = quoted.filter(|word| function(word).is_some()).collect();
-        let names: BTreeSet<_> = FUNCTIONS.iter().map(|(name, _)| *name).collect();
+        let is_known = |word: &&str| function(word).is_some() || beam(word).is_some();
+        let documented: BTreeSet<_> = quoted.filter(is_known).collect();
+        let functions = FUNCTIONS.iter().map(|(name, _)| *name);
+        let names: BTreeSet<_> = functions
+            .chain(BEAMS.iter().map(|(name, _)| *name))
+            .collect();
         assert_eq!(documented, names);
     }
 }

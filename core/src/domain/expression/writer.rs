@@ -93,21 +93,51 @@ impl Domain<'_> {
             }
             Quantity::Distance(..)
             | Quantity::Angle(..)
+            | Quantity::Off(..)
             | Quantity::Relation(..)
             | Quantity::VertexAngle(..) => {
                 out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;
-                let mut before = "(";
-                for point in quantity.points().iter().flatten() {
-                    out.write_str(before)?;
-                    self.write_point(out, *point)?;
-                    before = ", ";
+                self.write_points(out, quantity.points())
+            }
+            Quantity::FoldedAngle(symmetry, a, b) => {
+                out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;
+                out.write_char('(')?;
+                self.write_point(out, a)?;
+                out.write_str(", ")?;
+                self.write_point(out, b)?;
+                match symmetry {
+                    2 => write!(out, ", {})", words::PI),
+                    4 => write!(out, ", 0.5*{})", words::PI),
+                    n => write!(out, ", {} {n})", words::SYMMETRY),
                 }
+            }
+            Quantity::Sight(beam, a, b, body) => {
+                out.write_str(words::name_of_quantity(quantity).ok_or(fmt::Error)?)?;
+                out.write_char('(')?;
+                out.write_str(words::name_of_beam(beam).ok_or(fmt::Error)?)?;
+                self.write_points(out, [Some(a), Some(b), None])?;
+                out.write_str(", ")?;
+                self.write_point(out, body)?;
                 out.write_char(')')
             }
         }
     }
 
+    /// Writes points in brackets.
+    fn write_points(&self, out: &mut dyn fmt::Write, points: [Option<u8>; 3]) -> fmt::Result {
+        let mut before = "(";
+        for point in points.iter().flatten() {
+            out.write_str(before)?;
+            self.write_point(out, *point)?;
+            before = ", ";
+        }
+        out.write_char(')')
+    }
+
     fn write_point(&self, out: &mut dyn fmt::Write, point: u8) -> fmt::Result {
+        if let Some(compound) = self.compound(point) {
+            return out.write_str(compound.name);
+        }
         let point = self.points().get(usize::from(point)).ok_or(fmt::Error)?;
         out.write_str(point.owner)?;
         if !point.part.is_empty() {

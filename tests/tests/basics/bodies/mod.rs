@@ -3,6 +3,7 @@
 mod degenerate;
 mod motion;
 mod pieces;
+mod swing;
 mod values;
 
 use critreg::geometry::{Axis, Body, Dimensions, Frame3, Relation};

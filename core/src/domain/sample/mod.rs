@@ -1,14 +1,18 @@
 //! A scene at one sample: points that depend on parameters, and values of expressions.
 
-use super::algebra::{Algebra, Arithmetic, Curve, Line, Measure};
-use super::body_pair::BodyPair;
-use super::declarations::Solid;
+mod bodies;
+mod body_pair;
+mod curves;
+mod sight;
+
+use super::algebra::{Algebra, Arithmetic, Measure};
 use super::declarations::{Base, Point};
-use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
+use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity, period};
 use super::scene::{MAX_SAMPLE_POINTS, Scene, is_zero, parameter};
 use super::turns::Turn;
-use crate::geometry::{Body, Relation, Rotation};
+use crate::geometry::Rotation;
 use crate::real::Real;
+use bodies::between;
 use heapless::Vec;
 
 /// Where a sample point is: its origin may vary with the parameters.
@@ -20,17 +24,6 @@ struct Placed<R, A> {
     turns_itself: bool,
     /// By how much its rotation may be another one, as an angle.
     slack: R,
-}
-
-/// A body where it stands in a sample.
-struct Standing<R, A> {
-    /// About its centre.
-    body: Body<R>,
-    centre: [A; 3],
-    /// By how much its sizes may be others.
-    slack: R,
-    /// By how much it may be turned further, as an angle.
-    turn: R,
 }
 
 /// A scene at one sample: the sample points have their places.
@@ -119,8 +112,12 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             Node::Quantity(Quantity::Coordinate(coordinate, p)) => self.coordinate(coordinate, p),
             Node::Quantity(Quantity::Distance(metric, a, b)) => self.distance(metric, a, b),
             Node::Quantity(Quantity::Angle(a, b)) => self.angle(a, b),
+            Node::Quantity(Quantity::FoldedAngle(n, a, b)) => self.folded_angle(n, [a, b]),
+            Node::Quantity(Quantity::Off(a, b)) => self.off(a, b),
             Node::Quantity(Quantity::VertexAngle(a, vertex, b)) => self.vertex_angle(a, vertex, b),
-            Node::Quantity(Quantity::Relation(relation, a, b)) => self.relation(relation, [a, b]),
+            Node::Quantity(quantity @ (Quantity::Relation(..) | Quantity::Sight(..))) => {
+                self.between_bodies(quantity)
+            }
             Node::Extreme(extreme, quantity) => self.extreme(extreme, quantity),
             Node::Number(_)
             | Node::Constant(_)
@@ -176,22 +173,36 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 
     fn angle(&self, a: u8, b: u8) -> A::Measure {
-        let headings = (self.heading(a), self.heading(b));
-        match headings {
-            (Some((a, first)), Some((b, second))) => A::constant(R::angle(a, b))
-                .widened(first + second)
-                .measure(),
-            _ => A::Measure::unknown(),
+        let angle = self.angle_of_axes([a, b]);
+        angle.map_or_else(A::Measure::unknown, A::measure)
+    }
+
+    /// The angle between the x axes of two points.
+    fn angle_of_axes(&self, points: [u8; 2]) -> Option<A> {
+        let [(a, first), (b, second)] = both(points.map(|point| self.heading(point)))?;
+        Some(A::constant(R::angle(a, b)).widened(first + second))
+    }
+
+    #[inline(never)]
+    fn folded_angle(&self, symmetry: u8, points: [u8; 2]) -> A::Measure {
+        let turned = self.scene.turned(points, self.theta);
+        let angle = turned.or_else(|| self.angle_of_axes(points));
+        let period = R::from_f64(period(symmetry));
+        angle.map_or_else(A::Measure::unknown, |angle| angle.folded(period))
+    }
+
+    fn off(&self, a: u8, b: u8) -> A::Measure {
+        let direction = between(self.origin(b), self.origin(a));
+        match self.heading(b) {
+            Some((heading, slack)) => A::angle(direction, heading.map(A::constant)).widened(slack),
+            None => A::Measure::unknown(),
         }
     }
 
     #[inline(never)]
     fn vertex_angle(&self, a: u8, vertex: u8, b: u8) -> A::Measure {
         let at = self.origin(vertex);
-        let [to_a, to_b] = [a, b].map(|point| {
-            let [[x, y, z], [ox, oy, oz]] = [self.origin(point), at];
-            [x.minus(ox), y.minus(oy), z.minus(oz)]
-        });
+        let [to_a, to_b] = [a, b].map(|point| between(at, self.origin(point)));
         A::angle(to_a, to_b)
     }
 
@@ -257,92 +268,6 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     fn heading(&self, point: u8) -> Option<([R; 3], R)> {
         let placed = self.base(point);
         Some((self.rotation(&placed)?.heading(), placed.slack))
-    }
-
-    /// The value of a quantity for one member; `None` if it is about a body that is absent.
-    fn of_member(&self, own: Quantity) -> Option<A::Measure> {
-        match own {
-            Quantity::Relation(relation, a, b) if cfg!(feature = "bodies") => {
-                match self.bodies(relation, [a, b]) {
-                    Some((pair, ..)) if pair.is_absent() => None,
-                    Some((pair, difference, slack)) => Some(A::relation(&pair, difference, slack)),
-                    None => Some(A::Measure::unknown()),
-                }
-            }
-            _ => Some(self.leaf(Node::Quantity(own))),
-        }
-    }
-
-    #[inline(never)]
-    fn relation(&self, relation: Relation, points: [u8; 2]) -> A::Measure {
-        // No text has a relation then, and what computes it is left out.
-        if !cfg!(feature = "bodies") {
-            return A::Measure::unknown();
-        }
-        match self.bodies(relation, points) {
-            Some((pair, difference, slack)) => A::relation(&pair, difference, slack),
-            None => A::Measure::unknown(),
-        }
-    }
-
-    /// The bodies of two points, how far their centres are apart, and by how much what is
-    /// not known of how they are turned and how large they are can change a relation.
-    fn bodies(&self, relation: Relation, [a, b]: [u8; 2]) -> Option<(BodyPair<R>, [A; 3], R)> {
-        let (a, b) = (self.body(a)?, self.body(b)?);
-        let ([ax, ay, az], [bx, by, bz]) = (a.centre, b.centre);
-        let difference = [ax.minus(bx), ay.minus(by), az.minus(bz)];
-        let mut slack = a.slack + b.slack + chord(a.turn) * R::norm(a.body.half_sizes);
-        if b.turn > R::ZERO {
-            // Seen from the second body, the corners of the first one turn about its centre.
-            let apart = difference.map(|own| {
-                let own = own.about();
-                own.map_or(R::INFINITY, |(middle, unknown)| middle.abs() + unknown)
-            });
-            let reach = R::norm(a.body.half_sizes) + R::norm(b.body.half_sizes);
-            slack += chord(b.turn) * (R::norm(apart) + reach);
-        }
-        let pair = BodyPair {
-            relation,
-            first: a.body,
-            second: b.body,
-            dimensions: self.scene.dimensions,
-        };
-        Some((pair, difference, slack))
-    }
-
-    /// The body of a point about its centre, and where that is.
-    fn body(&self, point: u8) -> Option<Standing<R, A>> {
-        let placed = self.base(point);
-        let solid = self.scene.domain.body_of(point);
-        let solid = solid.map_or_else(Solid::default, |body| body.solid);
-        let about = |id: Option<NodeId>| self.scene.offset_term::<A>(id, self.theta).about();
-        let half = R::from_f64(0.5);
-        let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation(&placed)?.rows();
-        let axes = [[a, d, g], [b, e, h], [c, f, i]];
-        let (radius, mut slack) = about(solid.radius)?;
-        let mut centre = placed.origin;
-        let mut halves = [R::ZERO; 3];
-        for ((half_size, axis), id) in halves.iter_mut().zip(&axes).zip(solid.sizes) {
-            let (size, unknown) = about(id)?;
-            *half_size = size * half;
-            slack += unknown * half;
-            if !solid.centred && id.is_some() {
-                for (own, entry) in centre.iter_mut().zip(axis) {
-                    let step = A::constant(*half_size * *entry);
-                    *own = own.plus(step.widened(unknown * half));
-                }
-            }
-        }
-        if placed.slack > R::ZERO && !solid.centred {
-            let by = chord(placed.slack) * R::norm(halves);
-            centre = centre.map(|own| own.widened(by));
-        }
-        Some(Standing {
-            body: Body::new([R::ZERO; 3], axes, halves, radius),
-            centre,
-            slack,
-            turn: placed.slack,
-        })
     }
 
     /// Turns and moves a sample point in the frame it is placed in.
@@ -411,81 +336,8 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
     }
 }
 
-/// Along a line, an extreme and a relation between bodies are made of curves, of which one
-/// counts at each position.
-impl<R: Real> Sample<'_, '_, R, Line<R>> {
-    /// How many curves a term is made of: one for each member of a group, and for each piece
-    /// of a relation.
-    pub(crate) fn curve_count(&self, term: Node) -> usize {
-        match term {
-            Node::Quantity(quantity) => self.piece_count(quantity),
-            Node::Extreme(_, quantity) => {
-                let members = self.scene.of_members(quantity);
-                members.count() * self.most_pieces(quantity)
-            }
-            Node::Number(_)
-            | Node::Constant(_)
-            | Node::Parameter(_)
-            | Node::Area(_)
-            | Node::Sum(..)
-            | Node::Difference(..)
-            | Node::Product(..) => 1,
-        }
-    }
-
-    /// As [`Sample::measure`], with one curve in place of a term where `chosen` has one for
-    /// it, by its number. One that does not exist is infinite: it has no roots.
-    pub(crate) fn measure_choosing(
-        &self,
-        nodes: &[Node],
-        id: NodeId,
-        chosen: &impl Fn(NodeId) -> Option<usize>,
-    ) -> Curve<R> {
-        match (nodes.get(usize::from(id.0)), chosen(id)) {
-            (Some(Node::Extreme(_, quantity)), Some(index)) => {
-                let pieces = self.most_pieces(*quantity).max(1);
-                let member = self.scene.of_members(*quantity).nth(index / pieces);
-                member.map_or_else(Curve::unknown, |own| self.curve(own, index % pieces))
-            }
-            (Some(Node::Quantity(quantity)), Some(index)) => self.curve(*quantity, index),
-            (Some(node), _) => self.node(*node, |id| self.measure_choosing(nodes, id, chosen)),
-            (None, _) => Curve::unknown(),
-        }
-    }
-
-    /// One curve of a quantity.
-    fn curve(&self, quantity: Quantity, index: usize) -> Curve<R> {
-        let Quantity::Relation(relation, a, b) = quantity else {
-            return self.leaf(Node::Quantity(quantity));
-        };
-        if !cfg!(feature = "bodies") {
-            return Curve::unknown();
-        }
-        match self.bodies(relation, [a, b]) {
-            Some((pair, ..)) if pair.is_absent() => Curve::constant(R::INFINITY),
-            Some((pair, difference, _)) => {
-                let piece = pair.piece(index, difference);
-                piece.unwrap_or_else(|| Curve::constant(R::INFINITY))
-            }
-            None => Curve::unknown(),
-        }
-    }
-
-    fn piece_count(&self, quantity: Quantity) -> usize {
-        let Quantity::Relation(relation, a, b) = quantity else {
-            return 1;
-        };
-        if !cfg!(feature = "bodies") {
-            return 1;
-        }
-        let bodies = self.bodies(relation, [a, b]);
-        bodies.map_or(1, |(pair, ..)| pair.piece_count())
-    }
-
-    fn most_pieces(&self, quantity: Quantity) -> usize {
-        let members = self.scene.of_members(quantity);
-        members.map(|own| self.piece_count(own)).max().unwrap_or(1)
-    }
+fn both<T>([a, b]: [Option<T>; 2]) -> Option<[T; 2]> {
+    Some([a?, b?])
 }
 
 /// How far apart the ends of a unit vector are that is turned by at most an angle.
