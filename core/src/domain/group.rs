@@ -46,6 +46,12 @@ impl<'t> Domain<'t> {
 
     /// Turns a quantity of the first member of a group into that of another member.
     pub(super) fn of_member(&self, quantity: Quantity, index: u8) -> Quantity {
+        let quantity = match quantity {
+            Quantity::Gap(share, a, b, slot) => {
+                Quantity::Gap(share, a, b, self.slot_of_member(slot, index))
+            }
+            other => other,
+        };
         match quantity.slot() {
             Some(slot) => Quantity::Attribute(self.slot_of_member(slot, index)),
             None => quantity.with_points(quantity.points().map(|point| {

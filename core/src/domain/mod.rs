@@ -152,7 +152,7 @@ pub use declarations::{
 };
 pub use dimension::Dimension;
 pub use expression::{Dependence, MAX_DEPTH};
-pub use node::{Beam, Coordinate, Extreme, Metric, Node, NodeId, Quantity, SYMMETRIES};
+pub use node::{Beam, Coordinate, Extreme, Metric, Node, NodeId, Quantity, SYMMETRIES, Share};
 pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};

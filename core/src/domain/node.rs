@@ -50,6 +50,34 @@ pub enum Beam {
     Sweep,
 }
 
+/// A share of a size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Share {
+    /// Half of it: of a width or a diameter.
+    Half,
+    /// All of it: of a radius.
+    Whole,
+    /// One and a half of it.
+    OneAndHalf,
+    /// Twice.
+    Twice,
+}
+
+impl Share {
+    /// All of them, in the order of the grammar.
+    pub const ALL: [Share; 4] = [Share::Whole, Share::Half, Share::OneAndHalf, Share::Twice];
+
+    /// By what the size is multiplied.
+    pub const fn factor(self) -> f64 {
+        match self {
+            Share::Half => 0.5,
+            Share::Whole => 1.0,
+            Share::OneAndHalf => 1.5,
+            Share::Twice => 2.0,
+        }
+    }
+}
+
 /// In how many ways a thing can be turned and look the same, where its angles are folded.
 pub const SYMMETRIES: RangeInclusive<u8> = 2..=12;
 
@@ -68,6 +96,9 @@ pub enum Quantity {
     Coordinate(Coordinate, u8),
     /// The distance of two points.
     Distance(Metric, u8, u8),
+    /// The straight distance of two points minus a share of an attribute, by its place in an
+    /// instance: how far from a member of a group with a size of its own.
+    Gap(Share, u8, u8, u8),
     /// The angle between the x axes of two points, in `[0, pi]`.
     Angle(u8, u8),
     /// The angle between the x axes of two points, where a turn by a whole fraction of a full
@@ -95,6 +126,7 @@ impl Quantity {
             Quantity::Attribute(slot) => Some(slot),
             Quantity::Coordinate(..)
             | Quantity::Distance(..)
+            | Quantity::Gap(..)
             | Quantity::Angle(..)
             | Quantity::FoldedAngle(..)
             | Quantity::Off(..)
@@ -110,6 +142,7 @@ impl Quantity {
             Quantity::Attribute(_) => [None; 3],
             Quantity::Coordinate(_, a) => [Some(a), None, None],
             Quantity::Distance(_, a, b)
+            | Quantity::Gap(_, a, b, _)
             | Quantity::Angle(a, b)
             | Quantity::FoldedAngle(_, a, b)
             | Quantity::Off(a, b)
@@ -126,6 +159,7 @@ impl Quantity {
             Quantity::Attribute(slot) => Quantity::Attribute(slot),
             Quantity::Coordinate(axis, _) => Quantity::Coordinate(axis, a),
             Quantity::Distance(metric, ..) => Quantity::Distance(metric, a, b),
+            Quantity::Gap(share, _, _, slot) => Quantity::Gap(share, a, b, slot),
             Quantity::Angle(..) => Quantity::Angle(a, b),
             Quantity::FoldedAngle(n, ..) => Quantity::FoldedAngle(n, a, b),
             Quantity::Off(..) => Quantity::Off(a, b),

@@ -2,7 +2,7 @@
 
 use super::features::{Features, feature_id};
 use super::leaves::folded_angles;
-use crate::domain::{Coordinate, Dimension, Domain, Node, NodeId, Point, Quantity};
+use crate::domain::{Coordinate, Dimension, Domain, Extreme, Node, NodeId, Point, Quantity, Share};
 use crate::geometry::{Axis, Relation};
 use crate::real::Real;
 
@@ -18,6 +18,7 @@ impl<R: Real> Features<'_, R> {
     /// | `x_in(hand, tray)`, `abs_x_in(hand, tray)` | where something is in the frame of what has a heading |
     /// | `angle(finger, nut, 0.5*pi)` | an angle of what looks the same from several sides |
     /// | `hand.x + hand.y`, `hand.x - hand.y` | on which side of a diagonal |
+    /// | `min(dist(hand, post) - 0.5*post.width)` | clear of members of different sizes |
     /// | `mu * stick.length` | a share of a size |
     /// | `part.width` | a condition on the scene alone |
     pub(crate) fn derive(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
@@ -26,6 +27,7 @@ impl<R: Real> Features<'_, R> {
         }
         self.derive_in_frames(domain, visit);
         folded_angles(domain, true, &mut |node| self.offer(node, visit));
+        self.derive_gaps(domain, visit);
         self.derive_diagonals(domain, visit);
         self.derive_shares(domain, visit);
         self.derive_scene(domain, visit);
@@ -47,18 +49,47 @@ impl<R: Real> Features<'_, R> {
         }
         let axes = [Axis::X, Axis::Y, Axis::Z];
         let axes = axes.get(..domain.axes()).unwrap_or(&axes);
-        let single = |(index, point): &(u8, &Point<'_>)| {
-            point.member.is_none() && !domain.is_hidden(*index)
-        };
+        let single =
+            |(index, point): &(u8, &Point<'_>)| point.member.is_none() && !domain.is_hidden(*index);
         for (a, first) in (0u8..).zip(domain.points()).filter(single) {
             for (b, second) in (0u8..).zip(domain.points()).filter(single) {
-                if a == b || !second.has_heading() || !domain.is_oriented(b) || first.sampled == second.sampled {
+                if a == b
+                    || !second.has_heading()
+                    || !domain.is_oriented(b)
+                    || first.sampled == second.sampled
+                {
                     continue;
                 }
                 for relation in [Relation::Magnitude, Relation::Coordinate] {
                     for axis in axes {
                         let quantity = Quantity::Relation(relation(*axis), a, b);
                         self.offer(Node::Quantity(quantity), visit);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Distances from the members of groups, minus a share of a size that each has.
+    fn derive_gaps(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
+        let points = || {
+            (0u8..)
+                .zip(domain.points())
+                .filter(|(i, _)| !domain.is_hidden(*i))
+        };
+        let moving = points().filter(|(_, p)| p.sampled && p.member.is_none());
+        for (a, _) in moving {
+            for (b, point) in points().filter(|(_, p)| p.is_object() && !p.sampled) {
+                let first = point.member.filter(|member| member.index == 0);
+                let sizes = (0u8..).zip(domain.slots()).filter(|(slot, (object, own))| {
+                    object.member == first
+                        && own.dimension == Dimension::Length
+                        && !domain.places(*slot)
+                });
+                for (slot, _) in sizes.filter(|_| first.is_some()) {
+                    for share in Share::ALL {
+                        let gap = Quantity::Gap(share, a, b, slot);
+                        self.offer(Node::Extreme(Extreme::Least, gap), visit);
                     }
                 }
             }

@@ -3,7 +3,9 @@
 use super::properties::product_dimension;
 use super::words::{self, Function, UNKNOWN_FUNCTION};
 use crate::domain::node::intern;
-use crate::domain::{Beam, Dimension, Domain, Extreme, Node, NodeId, Quantity, SYMMETRIES};
+use crate::domain::{
+    Beam, Dimension, Domain, Extreme, Metric, Node, NodeId, Quantity, SYMMETRIES, Share,
+};
 use crate::error::Error;
 use crate::text::{Failed, Lexer, Place, Token, split_at_last_dot};
 use heapless::VecView;
@@ -157,7 +159,7 @@ impl ExpressionParser<'_, '_, '_> {
     fn extreme(&self, extreme: Extreme, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
         lexer.expect("(", "expected `(` and what the extreme is taken of")?;
         let at = lexer.place();
-        let term = self.term(lexer)?;
+        let term = self.gap(self.term(lexer)?, lexer)?;
         lexer.expect(")", "expected `)`")?;
         let quantity = term.quantity().ok_or_else(|| {
             lexer.fail_at(
@@ -174,6 +176,35 @@ impl ExpressionParser<'_, '_, '_> {
             return Err(lexer.fail_at(at, "min and max are over one group, and here are two"));
         }
         Ok(Node::Extreme(extreme, quantity))
+    }
+
+    /// Reads what is taken off a distance: a share of a size.
+    fn gap(&self, term: Node, lexer: &mut Lexer<'_>) -> Result<Node, Failed> {
+        const WHAT: &str = "from a distance in min or max, 0.5, 1, 1.5 or 2 times \
+                            an attribute of length can be taken off";
+        let Node::Quantity(Quantity::Distance(Metric::Straight, a, b)) = term else {
+            return Ok(term);
+        };
+        if !lexer.accept("-") {
+            return Ok(term);
+        }
+        let at = lexer.place();
+        let (mut factor, mut size) = (1.0, self.term(lexer)?);
+        if let Node::Number(value) = size {
+            lexer.expect("*", WHAT)?;
+            (factor, size) = (value, self.term(lexer)?);
+        }
+        let share = Share::ALL
+            .into_iter()
+            .find(|share| share.factor() == factor);
+        match (share, size) {
+            (Some(share), Node::Quantity(own @ Quantity::Attribute(slot)))
+                if self.domain.measured_by(own) == Some(Dimension::Length) =>
+            {
+                Ok(Node::Quantity(Quantity::Gap(share, a, b, slot)))
+            }
+            _ => Err(lexer.fail_at(at, WHAT)),
+        }
     }
 
     /// The groups whose members a quantity is about.

@@ -32,11 +32,12 @@ impl Domain<'_> {
         }
     }
 
-    fn measured_by(&self, quantity: Quantity) -> Option<Dimension> {
+    pub(super) fn measured_by(&self, quantity: Quantity) -> Option<Dimension> {
         match quantity {
             Quantity::Attribute(slot) => self.slot(slot).map(|(_, a)| a.dimension),
             Quantity::Coordinate(Coordinate::X | Coordinate::Y | Coordinate::Z, _)
             | Quantity::Distance(..)
+            | Quantity::Gap(..)
             | Quantity::Relation(..)
             | Quantity::Sight(..) => Some(Dimension::Length),
             Quantity::Coordinate(Coordinate::Theta, _)
@@ -104,6 +105,7 @@ impl Domain<'_> {
             Quantity::Attribute(_)
             | Quantity::Coordinate(..)
             | Quantity::Distance(..)
+            | Quantity::Gap(..)
             | Quantity::Angle(..)
             | Quantity::FoldedAngle(..)
             | Quantity::Off(..)
@@ -130,7 +132,10 @@ impl Domain<'_> {
     pub(in crate::domain) fn is_about(&self, term: Node, slot: u8) -> bool {
         let mut found = false;
         self.quantities(term, &mut |own| {
-            found |= own == Quantity::Attribute(slot);
+            found |= match own {
+                Quantity::Attribute(own) | Quantity::Gap(_, _, _, own) => own == slot,
+                _ => false,
+            };
             let mut sizes = self.sizes_of(own);
             found |= sizes.any(|size| self.reads(self.nodes(), size, slot));
         });

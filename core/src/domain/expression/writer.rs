@@ -2,7 +2,7 @@
 
 use super::words::{self, Function};
 use crate::domain::node::node_at;
-use crate::domain::{Domain, Node, NodeId, Quantity};
+use crate::domain::{Domain, Metric, Node, NodeId, Quantity, Share};
 use crate::text::write_number;
 use core::fmt;
 
@@ -90,6 +90,14 @@ impl Domain<'_> {
                 self.write_point(out, point)?;
                 out.write_char('.')?;
                 out.write_str(words::name_of_coordinate(coordinate).ok_or(fmt::Error)?)
+            }
+            Quantity::Gap(share, a, b, slot) => {
+                self.write_quantity(out, Quantity::Distance(Metric::Straight, a, b))?;
+                out.write_str(" - ")?;
+                if share != Share::Whole {
+                    write!(out, "{}*", share.factor())?;
+                }
+                self.write_quantity(out, Quantity::Attribute(slot))
             }
             Quantity::Distance(..)
             | Quantity::Angle(..)

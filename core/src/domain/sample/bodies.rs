@@ -95,6 +95,7 @@ impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
             Quantity::Attribute(_)
             | Quantity::Coordinate(..)
             | Quantity::Distance(..)
+            | Quantity::Gap(..)
             | Quantity::Angle(..)
             | Quantity::FoldedAngle(..)
             | Quantity::Off(..)

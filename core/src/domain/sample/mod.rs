@@ -7,7 +7,7 @@ mod sight;
 
 use super::algebra::{Algebra, Arithmetic, Measure};
 use super::declarations::{Base, Point};
-use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity, period};
+use super::node::{Coordinate, Extreme, Metric, Node, NodeId, Quantity, Share, period};
 use super::scene::{MAX_SAMPLE_POINTS, Scene, is_zero, parameter};
 use super::turns::Turn;
 use crate::geometry::Rotation;
@@ -111,6 +111,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             Node::Parameter(p) => parameter(self.theta, p).measure(),
             Node::Quantity(Quantity::Coordinate(coordinate, p)) => self.coordinate(coordinate, p),
             Node::Quantity(Quantity::Distance(metric, a, b)) => self.distance(metric, a, b),
+            Node::Quantity(Quantity::Gap(share, a, b, slot)) => self.gap(share, [a, b], slot),
             Node::Quantity(Quantity::Angle(a, b)) => self.angle(a, b),
             Node::Quantity(Quantity::FoldedAngle(n, a, b)) => self.folded_angle(n, [a, b]),
             Node::Quantity(Quantity::Off(a, b)) => self.off(a, b),
@@ -170,6 +171,13 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             }
         };
         A::norm([self.along(axis, a).minus(self.along(axis, b)), zero, zero])
+    }
+
+    fn gap(&self, share: Share, [a, b]: [u8; 2], slot: u8) -> A::Measure {
+        let mut distance = self.distance(Metric::Straight, a, b);
+        let size = self.scene.given(&Node::Quantity(Quantity::Attribute(slot)));
+        distance.lower(size * R::from_f64(share.factor()));
+        distance
     }
 
     fn angle(&self, a: u8, b: u8) -> A::Measure {

@@ -213,7 +213,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             certify_from: config.certifying,
             approximations: memory.approximations,
             approximating: false,
-            wanted: config.precision_wanted,
+            wanted: wanted(&config),
             config,
             capacity,
             forms,
@@ -367,6 +367,13 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             _ => Ok(()),
         }
     }
+}
+
+/// Which share of the samples that a region admits must be feasible where it is chosen by
+/// them, so that it is likely to be what is wanted where it is not.
+fn wanted(config: &Config) -> f64 {
+    let wanted = config.precision_wanted;
+    wanted + config.tuning.optimism * (1.0 - wanted)
 }
 
 /// How far one outcome must lead, so that it is more likely than its opposite by a factor.

@@ -122,6 +122,9 @@ tuning! {
     /// How much a sample that was asked about for a reason counts for how good such a region
     /// is, compared to one drawn at random: reasons are near boundaries.
     undrawn: f64 = 0.3,
+    /// By how much better than wanted such a region must be on the samples that it is chosen
+    /// by, as a share of what is not wanted of it: they flatter it.
+    optimism: f64 = 0.4,
     /// Share of the calls after which such a region is looked for.
     give_up: f64 = 0.6,
     /// Answers between two looks.

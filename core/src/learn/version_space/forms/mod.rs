@@ -469,7 +469,9 @@ impl<'m, R: Real> Forms<'m, R> {
             | Quantity::Off(..)
             | Quantity::VertexAngle(..) => tuning.axis_class,
             Quantity::Relation(..) | Quantity::Attribute(_) => 0.0,
-            Quantity::Distance(Metric::Straight, ..) | Quantity::Sight(..) => tuning.distance_class,
+            Quantity::Distance(Metric::Straight, ..) | Quantity::Gap(..) | Quantity::Sight(..) => {
+                tuning.distance_class
+            }
             Quantity::Distance(..) | Quantity::Coordinate(..) => tuning.world_class,
         }
     }
