@@ -39,15 +39,15 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     forms       observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            137368 bytes           35240 bytes
- *           4096           256            553592 bytes           47016 bytes
- *          10000           256           1166556 bytes           55856 bytes
- *          20000           256           2149056 bytes           70856 bytes
+ *           1024           128            182968 bytes           35424 bytes
+ *           4096           256            712152 bytes           47200 bytes
+ *          10000           256           1401792 bytes           56040 bytes
+ *          20000           256           2384288 bytes           71040 bytes
  *
- * Every further instance takes forms + 512 bytes more, every further step
- * 16 * forms + 5632 at most. On a small machine critreg_config.precision and
- * critreg_config.tracked save most of it: 1024 forms, 128 observations and 4
- * instances take 48608 bytes with CRITREG_F32, nothing tracked and pointers of 32
+ * Every further instance takes 1.5 * forms + 1400 bytes more at most, every further step
+ * 16 * forms + 5888. On a small machine critreg_config.precision, critreg_config.tracked
+ * and critreg_config.sums save most of it: 1024 forms, 128 observations and 4
+ * instances take 48608 bytes with CRITREG_F32, nothing tracked, no sums and pointers of 32
  * bits, in a library without CRITREG_ALGORITHM1. The macros of
  * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
  *
@@ -438,9 +438,13 @@
  */
 #define CRITREG_FAILED_STEP(k) (-(critreg_outcome)(k))
 
-/** Left sides of a learner with room for so many forms; for CRITREG_LEARNER_WORDS_FOR. */
-#define CRITREG_LEARNER_LEFTS(forms)                                           \
-    (32 + 2 * ((forms) / 128 < 48 ? (size_t)(forms) / 128 : 48))
+/** Left sides of forms that a learner derives; for CRITREG_LEARNER_WORDS_FOR. */
+#define CRITREG_LEARNER_DERIVED(forms)                                         \
+    ((forms) < 16 ? (size_t)0 : CRITREG_LEARNER_PLAIN(forms))
+
+/** Its other left sides. */
+#define CRITREG_LEARNER_PLAIN(forms)                                           \
+    (16 + ((forms) / 128 < 48 ? (size_t)(forms) / 128 : (size_t)48))
 
 /**
  * How many uint64_t make the memory of a learner with room for so many forms,
@@ -450,7 +454,7 @@
  */
 #define CRITREG_LEARNER_WORDS_FOR(forms, observations, instances, steps)  \
     ((CRITREG_LEARNER_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)   \
-      + ((size_t)(forms) / 8 + 64 + CRITREG_LEARNER_LEFTS(forms))              \
+      + ((size_t)(forms) / 8 + 64 + 2 * CRITREG_LEARNER_DERIVED(forms))        \
             * (CRITREG_FEATURE_BYTES + 8 * (size_t)(instances))                \
       + ((forms) / 16 < 512 ? (size_t)(forms) / 16 : 512)                      \
             * (CRITREG_SUM_BYTES + 8 * (size_t)(instances))                    \
@@ -459,7 +463,9 @@
             * (CRITREG_SPAN_BYTES * (size_t)(steps)                            \
                + 16 * (((size_t)(observations) + 63) / 64))                    \
       + (size_t)(observations)                                                 \
-            * (CRITREG_OBSERVATION_BYTES + 8 * CRITREG_LEARNER_LEFTS(forms))   \
+            * (CRITREG_OBSERVATION_BYTES                                       \
+               + 8 * (CRITREG_LEARNER_PLAIN(forms)                             \
+                      + CRITREG_LEARNER_DERIVED(forms)))                       \
       + (size_t)(steps) * CRITREG_STEP_BYTES + 7) / 8)
 
 /**
@@ -569,7 +575,7 @@
 /**
  * Bytes of a step; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_STEP_BYTES 6144
+#define CRITREG_STEP_BYTES 5888
 
 /**
  * Bytes of a planner that do not depend on its capacity, apart from pointers; for
@@ -632,6 +638,73 @@
  * Thresholds are good to about six digits.
  */
 #define CRITREG_F32 32
+
+/**
+ * Of a region: nothing is known of its quality; it was parsed, loaded, or learned by
+ * CRITREG_ALGORITHM1. Of a learner: there is no region.
+ */
+#define CRITREG_NO_QUALITY 0
+
+/**
+ * It agrees with the answers so far, but they are too few to tell it from chance.
+ */
+#define CRITREG_PROVISIONAL 1
+
+/**
+ * It is wrong about some answers: the truth is not quite what the domain text can say, or
+ * answers are wrong. The report estimates how good it is.
+ */
+#define CRITREG_APPROXIMATE 2
+
+/**
+ * It agrees with all answers, but for the few that critreg_report.strays counts.
+ */
+#define CRITREG_EXACT 3
+
+/**
+ * There is an exact region.
+ */
+#define CRITREG_WHY_EXPLAINED 0
+
+/**
+ * Nothing was told yet.
+ */
+#define CRITREG_WHY_NOTHING_TOLD 1
+
+/**
+ * No sample worked. A smaller range of the parameters helps.
+ */
+#define CRITREG_WHY_NONE_WORKED 2
+
+/**
+ * All samples worked: the region is everything.
+ */
+#define CRITREG_WHY_ALL_WORKED 3
+
+/**
+ * In no instance did some samples work and others not.
+ */
+#define CRITREG_WHY_NO_INFLUENCE 4
+
+/**
+ * There are too few answers for the smallest explanation.
+ */
+#define CRITREG_WHY_TOO_FEW 5
+
+/**
+ * Answers at one and the same place contradict each other.
+ */
+#define CRITREG_WHY_CONTRADICTION 6
+
+/**
+ * Nothing that the domain text can say explains some of the samples.
+ */
+#define CRITREG_WHY_UNEXPLAINED 7
+
+/**
+ * Bytes that are enough for the words of critreg_learner_why(), with their NUL.
+ */
+#define CRITREG_WHY_MAX 256
 
 /**
  * In a critreg_report: this did not happen (yet), or never does in this learner.
@@ -1719,6 +1792,17 @@ const char *critreg_strerror(critreg_status status);
  * program, "unknown" for what is no code.
  */
 const char *critreg_status_name(critreg_status status);
+
+/**
+ * How good a learned region is, in one word.
+ *
+ * @param region The region.
+ * @param quality Receives CRITREG_EXACT, CRITREG_APPROXIMATE, CRITREG_PROVISIONAL or
+ * CRITREG_NO_QUALITY; a larger number is better.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_quality(const struct critreg_region *region,
+                                      uint32_t *quality);
 
 /**
  * Prepares a report for critreg_learner_report().

@@ -108,7 +108,7 @@ static void certificate(void)
     EXPECT_TRUE(report.certificate_lower_bound > 0.0 && report.certificate_lower_bound < 1.0);
 }
 
-/* Neither answers that are all alike nor a coin make a region. */
+/* Answers that are all alike make a region of everything, a coin makes none. */
 static critreg_status toss(void *user_data, const double *instance, const double *theta,
                            critreg_outcome *outcome)
 {
@@ -125,13 +125,29 @@ static critreg_status toss(void *user_data, const double *instance, const double
 static void no_region(void)
 {
     const critreg_region *region = NULL;
+    critreg_learner *learner;
     critreg_rng rng = critreg_rng_seed(5);
+    uint32_t quality, why;
+    char words[CRITREG_WHY_MAX];
+    size_t needed;
 
-    EXPECT(CRITREG_NO_REGION, critreg_learn_region(learner_for(1, 100, 0.0), WALLS, INSTANCES,
-                                                   toss, NULL, &region));
-    EXPECT(CRITREG_NO_REGION, critreg_learn_region(learner_for(1, 100, 0.0), WALLS, INSTANCES,
-                                                   toss, &rng, &region));
+    learner = learner_for(1, 100, 0.0);
+    OK(critreg_learner_why(learner, &why, words, sizeof words, &needed));
+    EXPECT_TRUE(why == CRITREG_WHY_NOTHING_TOLD && needed == strlen(words) + 1);
+    OK(critreg_learn_region(learner, WALLS, INSTANCES, toss, NULL, &region));
+    OK(critreg_region_quality(region, &quality));
+    EXPECT_TRUE(quality == CRITREG_EXACT);
+    OK(critreg_learner_why(learner, &why, NULL, 0, NULL));
+    EXPECT_TRUE(why == CRITREG_WHY_ALL_WORKED);
+
+    region = NULL;
+    learner = learner_for(1, 100, 0.0);
+    EXPECT(CRITREG_NO_REGION,
+           critreg_learn_region(learner, WALLS, INSTANCES, toss, &rng, &region));
     EXPECT_TRUE(region == NULL);
+    OK(critreg_learner_why(learner, &why, words, sizeof words, NULL));
+    EXPECT_TRUE(why == CRITREG_WHY_UNEXPLAINED || why == CRITREG_WHY_TOO_FEW);
+    EXPECT(CRITREG_TOO_SMALL, critreg_learner_why(learner, NULL, words, 4, NULL));
 }
 
 /* An action without parameters works where the wall is not too near. */

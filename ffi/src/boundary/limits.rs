@@ -39,7 +39,7 @@ pub const CRITREG_SUM_BYTES: usize = 24;
 pub const CRITREG_INSTANCE_BYTES: usize = 16;
 
 /// Bytes of a step; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_STEP_BYTES: usize = 6_144;
+pub const CRITREG_STEP_BYTES: usize = 5_888;
 
 /// Bytes of a planner that do not depend on its capacity, apart from pointers; for
 /// CRITREG_PLANNER_WORDS.

@@ -90,12 +90,14 @@ impl LearnerLayout {
 /// The macro CRITREG_LEARNER_WORDS_FOR of the header, in bytes.
 const fn promised(forms: usize, observations: usize, instances: usize, steps: usize) -> usize {
     use crate::boundary::limits::*;
-    let lefts = 2 * (if forms / 128 < 48 { forms / 128 } else { 48 } + 16);
     let sums = if forms / 16 < 512 { forms / 16 } else { 512 };
+    let plain = if forms / 128 < 48 { forms / 128 } else { 48 } + 16;
+    let derived = if sums > 0 { plain } else { 0 };
+    let lefts = plain + derived;
     let per_form = CRITREG_SPAN_BYTES * steps + 16 * observations.div_ceil(64);
     CRITREG_LEARNER_FIXED_BYTES
         + CRITREG_HANDLE_POINTERS * size_of::<*const u8>()
-        + (forms / 8 + 64 + lefts) * (CRITREG_FEATURE_BYTES + 8 * instances)
+        + (forms / 8 + 64 + 2 * derived) * (CRITREG_FEATURE_BYTES + 8 * instances)
         + sums * (CRITREG_SUM_BYTES + 8 * instances)
         + instances * CRITREG_INSTANCE_BYTES
         + forms * per_form

@@ -5,10 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 28] = [
+const SOURCES: [&str; 29] = [
     "boundary/status.rs",
     "boundary/limits.rs",
     "boundary/precision.rs",
+    "learner/quality.rs",
     "learner/report.rs",
     "learner/config.rs",
     "learner/handle.rs",

@@ -99,12 +99,15 @@ impl<R: Real> VersionSpace<'_, R> {
             return if known { Quality::Exact } else { Quality::None };
         }
         if self.approximating {
-            let Some(upper) = self.report.precision_at_most(self.config.confidence) else {
+            let Some((lower, upper)) = self.report.precision(self.config.confidence) else {
                 return self.provisional();
             };
-            return match upper >= self.config.precision_wanted {
-                true => Quality::Approximate,
-                false => Quality::None,
+            let wanted = self.config.precision_wanted;
+            let good = upper >= wanted && lower >= wanted - self.config.tuning.unproven;
+            return match (good, self.calls_left() > 0) {
+                (true, _) => Quality::Approximate,
+                (false, true) => Quality::Provisional,
+                (false, false) => Quality::None,
             };
         }
         if !self.is_explained() {

@@ -88,11 +88,7 @@ impl<R: Real> VersionSpace<'_, R> {
         let told = self.observations.len() as f64;
         let late = told >= tuning.give_up * f64::from(self.config.calls);
         let new = self.forms.samples() - self.selection.samples;
-        let wanted = || {
-            self.approximating
-                || !self.is_explained()
-                || self.committee.length(&self.forms) > tuning.long
-        };
+        let wanted = || self.approximating || !self.is_explained();
         late && new >= tuning.batch as usize && wanted()
     }
 
@@ -151,7 +147,9 @@ impl<R: Real> VersionSpace<'_, R> {
         let length = self.committee.length(&self.forms);
         let explained = self.is_explained();
         self.approximating = false;
-        if early || self.unasked.is_some() || (explained && length <= tuning.long) {
+        // A long explanation is compared with one that takes some answers for wrong ones, late.
+        let doubtful = length > tuning.long && self.calls_left() <= self.judge_from();
+        if early || self.unasked.is_some() || !self.influence || (explained && !doubtful) {
             return;
         }
         let mut robust = 0.0;
@@ -160,7 +158,9 @@ impl<R: Real> VersionSpace<'_, R> {
             let fit = own.approximate(&view, self.wanted);
             robust += own.robust_length(&view, &fit);
         }
-        self.approximating = !explained || robust < length;
+        // As for an exact one, it is no accident only if it is shorter than the answers.
+        let significant = robust + tuning.significance <= self.entropy();
+        self.approximating = significant && (!explained || robust < length);
     }
 
     /// The hypothesis of each step that makes the region.

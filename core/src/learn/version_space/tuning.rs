@@ -125,6 +125,9 @@ tuning! {
     /// By how much better than wanted such a region must be on the samples that it is chosen
     /// by, as a share of what is not wanted of it: they flatter it.
     optimism: f64 = 0.4,
+    /// By how much less than wanted its precision may be proven to be: with ten draws that
+    /// work, 0.74 is.
+    unproven: f64 = 0.25,
     /// Share of the calls after which such a region is looked for.
     give_up: f64 = 0.6,
     /// Answers between two looks.
@@ -183,7 +186,7 @@ tuning! {
     /// `disjunctions_beyond`.
     disjunctions: u32 = 3,
     /// See `disjunctions`, in bits.
-    disjunctions_beyond: f64 = 50.0,
+    disjunctions_beyond: f64 = 80.0,
     /// By how many bits the best hypotheses may grow before they are doubted.
     growth: f64 = 3.0,
     /// A new selection needs one new sample for so many old ones: where nothing explains the

@@ -15,24 +15,30 @@ use crate::region::Theta;
 const HALVINGS: usize = 24;
 
 impl<R: Real> Strategy<'_, '_, R> {
-    /// A sample in the middle of the widest gap, if one is wide.
+    /// A sample in the middle of the widest gap that is wide, or of the next one if there is no
+    /// such sample.
     #[inline(never)]
     pub(super) fn bisect(&self, rng: &mut Generator, query: &mut Query) -> Result<bool, Error> {
-        match self.widest_gap() {
-            Some((share, clause, bound)) if share > self.forms.tuning().narrow => {
-                let middle = bound.inner + (bound.outer - bound.inner) * R::from_f64(0.5);
-                self.at_value((clause, bound), middle, &|_| false, rng, query)
+        let mut most = f64::INFINITY;
+        while let Some((share, clause, bound)) = self.widest_gap(most) {
+            if share <= self.forms.tuning().narrow {
+                break;
             }
-            _ => Ok(false),
+            let middle = bound.inner + (bound.outer - bound.inner) * R::from_f64(0.5);
+            if self.at_value((clause, bound), middle, &|_| false, rng, query)? {
+                return Ok(true);
+            }
+            most = share;
         }
+        Ok(false)
     }
 
-    /// The bound with the widest gap, relative to its range, and its clause.
-    fn widest_gap(&self) -> Option<(f64, &Clause<R>, &Bound<R>)> {
+    /// The bound with the widest gap below a width, relative to its range, and its clause.
+    fn widest_gap(&self, most: f64) -> Option<(f64, &Clause<R>, &Bound<R>)> {
         let share = |b: &Bound<R>| ((b.outer - b.inner) / b.range).to_f64();
         let shares = self.committee.best_bounds();
         let shares = shares.map(|(clause, bound)| (share(bound), clause, bound));
-        let finite = shares.filter(|(share, ..)| share.is_finite());
+        let finite = shares.filter(|(share, ..)| share.is_finite() && *share < most);
         finite.reduce(|widest, next| if next.0 > widest.0 { next } else { widest })
     }
 

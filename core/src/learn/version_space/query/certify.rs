@@ -24,7 +24,7 @@ impl<R: Real> VersionSpace<'_, R> {
     }
 
     /// When so many calls are left, a region that is not exact is judged.
-    pub(super) fn judge_from(&self) -> u32 {
+    pub(in super::super) fn judge_from(&self) -> u32 {
         let share = self.config.tuning.judging * f64::from(self.config.calls);
         (share as u32).max(self.config.certifying)
     }
