@@ -1,5 +1,6 @@
 //! The learners: what each promises, what all promise, and what they prove.
 
+mod actions;
 mod bodies;
 mod learners;
 mod membership;
