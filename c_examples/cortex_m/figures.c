@@ -138,6 +138,7 @@ static void print_sizes(void)
         config.forms = sizes[i].forms;
         config.observations = sizes[i].observations;
         config.tracked = sizes[i].tracked;
+        config.sums = 0;
         config.instances = TRAINING;
         print(sizes[i].key, (double)critreg_learner_size(&config));
     }
