@@ -206,7 +206,7 @@ tuning! {
     /// must be to make it superfluous, as a share of a narrow gap.
     probe: f64 = 0.5,
     /// How often an instance is drawn to find a sample at a certain value of a form.
-    bisect_tries: u32 = 32,
+    bisect_tries: u32 = 12,
     /// How often the distance to a proposal is halved at most.
     proposal_scales: u32 = 12,
     /// Instances in which a draw from the region is tried, to certify it.

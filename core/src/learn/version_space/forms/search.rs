@@ -7,7 +7,7 @@
 
 use super::interval::excludes;
 use super::left::{Left, Tier};
-use super::sums::{Sum, TERMS, Term, right_side};
+use super::sums::{Sum, TERMS, Term};
 use super::{Forms, NOTHING};
 use crate::domain::{Dimension, Domain, Node, NodeId, Quantity};
 use crate::grammar::Kind;
@@ -227,14 +227,20 @@ impl<R: Real> Forms<'_, R> {
         tried: &mut u64,
     ) -> Vec<Sum, OF_EACH> {
         let base = self.left_length(lhs, left, upper);
+        let most = self.ends.iter().map(|end| end.count).sum::<u32>() as f32;
         let mut best: Vec<Sum, OF_EACH> = Vec::new();
         columns.for_each_right(left, effort, &mut |terms, length| {
             *tried += 1;
+            let length = base + length;
+            // Whether it could be among the best if it excluded everything.
+            let hopeless = |least: &Sum| most / length <= least.worth;
+            if best.is_full() && best.last().is_some_and(hopeless) {
+                return;
+            }
             let count = self.count_excluded(&terms, upper);
             if count == 0 {
                 return;
             }
-            let length = base + length;
             insert(
                 &mut best,
                 Sum {
@@ -270,21 +276,21 @@ impl<R: Real> Forms<'_, R> {
     /// How many infeasible samples a form excludes.
     #[inline(always)]
     fn count_excluded(&self, terms: &[Term; TERMS], upper: bool) -> u32 {
-        let right = |instance: usize| {
-            let right = right_side(terms, self.values.rhs_in(instance));
-            if upper { right } else { -right }
-        };
+        let right_side = RightSide::of(terms, upper);
+        let rows = self.values.rhs.chunks_exact(self.values.rhs_count.max(1));
+        let instances = || self.ends.iter().zip(rows.clone());
         let mut last = R::NEG_INFINITY;
-        for (instance, end) in self.ends.iter().enumerate() {
+        for (end, row) in instances() {
             if end.feasible > R::NEG_INFINITY {
-                last = last.max(end.feasible - right(instance));
+                last = last.max(end.feasible - right_side.value(row));
             }
         }
         let mut count = 0;
-        for (instance, end) in self.ends.iter().enumerate().filter(|(_, e)| e.count > 0) {
-            let right = right(instance);
-            let own = self.failures.iter().skip(end.first as usize);
-            for failure in own.take(end.count as usize) {
+        for (end, row) in instances().filter(|(end, _)| end.count > 0) {
+            let right = right_side.value(row);
+            let first = end.first as usize;
+            let own = self.failures.get(first..first + end.count as usize);
+            for failure in own.unwrap_or(&[]) {
                 count += u32::from(excludes(last, failure.value - right, true));
             }
         }
@@ -322,6 +328,32 @@ impl<R: Real> Forms<'_, R> {
                 self.sums.evaluate(slot, &self.values);
             }
         }
+    }
+}
+
+/// A right side from one direction, with its factors at hand.
+struct RightSide<R> {
+    terms: [(usize, R); TERMS],
+}
+
+impl<R: Real> RightSide<R> {
+    fn of(terms: &[Term; TERMS], upper: bool) -> Self {
+        let sign = if upper { 1.0 } else { -1.0 };
+        let terms = terms.map(|term| {
+            let factor = R::from_f64(sign * term.factor());
+            (usize::from(term.column), factor)
+        });
+        RightSide { terms }
+    }
+
+    /// The value where those of all columns are in a row.
+    #[inline(always)]
+    fn value(&self, row: &[R]) -> R {
+        let terms = self.terms.iter();
+        terms.fold(R::ZERO, |sum, (column, factor)| match row.get(*column) {
+            Some(value) => sum + *value * *factor,
+            None => sum,
+        })
     }
 }
 
