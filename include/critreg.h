@@ -1126,7 +1126,7 @@ typedef struct critreg_planner_config {
      */
     uint32_t max_actions;
     /**
-     * Most calls of execute. Default 10000.
+     * Most calls of execute, with tries for which sample found nothing. Default 10000.
      */
     uint32_t max_samples;
     /**
@@ -1302,7 +1302,9 @@ typedef struct critreg_drawn {
  * @param rng Random numbers. They follow from the seed of critreg_plan().
  * @param drawn Receives the parameters, or why there are none.
  * @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters are expected to work in
- * this state, upon which an earlier step is tried again; or what shall stop planning.
+ * this state, upon which an earlier step is tried again; CRITREG_NO_SAMPLE if none were
+ * found, which is a failed try like any other; or what shall stop planning. So what
+ * critreg_sample_region() returned may be passed on.
  */
 typedef critreg_status (*critreg_sample)(void *user_data,
                                          const struct critreg_draw *draw,
@@ -1415,8 +1417,9 @@ typedef struct critreg_metrics {
      */
     uint32_t plan_length;
     /**
-     * Tries of a step: parameters were drawn and execute was called. Steps
-     * without parameters count too, so the length of the plan is the least.
+     * Tries of a step: parameters were drawn and execute was called, or
+     * CRITREG_NO_SAMPLE was returned. Steps without parameters count too, so the length
+     * of the plan is the least.
      */
     uint32_t samples;
     /**

@@ -355,6 +355,42 @@ static critreg_status fast(void *user_data, const critreg_draw *draw, critreg_rn
     return CRITREG_OK;
 }
 
+/* As critreg_sample_region() may: nothing was found in the first try of a step. */
+static critreg_status at_second_try(void *user_data, const critreg_draw *draw, critreg_rng *rng,
+                                    critreg_drawn *drawn)
+{
+    if (draw->parameter_count > 0 && draw->attempt == 1)
+        return CRITREG_NO_SAMPLE;
+    return fast(user_data, draw, rng, drawn);
+}
+
+static critreg_status never(void *user_data, const critreg_draw *draw, critreg_rng *rng,
+                            critreg_drawn *drawn)
+{
+    (void)user_data;
+    (void)draw;
+    (void)rng;
+    (void)drawn;
+    return CRITREG_NO_SAMPLE;
+}
+
+static void nothing_found(void)
+{
+    critreg_planner *planner = walk_planner(memory, sizeof memory);
+    critreg_callbacks callbacks = all_callbacks();
+    critreg_metrics metrics;
+    walker own = CALM;
+
+    callbacks.sample = at_second_try;
+    OK(critreg_plan(planner, &callbacks, DARK, 1, &own, NULL));
+    EXPECT_TRUE(metrics_of(planner).samples == 3 && own.executes == 2);
+    callbacks.sample = never;
+    own = CALM;
+    EXPECT_TRUE(critreg_plan(planner, &callbacks, DARK, 1, &own, NULL) != CRITREG_OK);
+    metrics = metrics_of(planner);
+    EXPECT_TRUE(metrics.samples > 0 && metrics.empty_draws == 0 && own.executes == 0);
+}
+
 static void knowledge(void)
 {
     critreg_planner *planner = walk_planner(memory, sizeof memory);
@@ -391,6 +427,7 @@ int main(void)
     nonsense();
     re_entry();
     no_plan();
+    nothing_found();
     knowledge();
     return summary();
 }

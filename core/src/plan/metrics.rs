@@ -7,8 +7,8 @@ use crate::task::OperatorId;
 /// Counts of one planning. All are there however it ended.
 #[derive(Debug, Default)]
 pub struct Metrics<'m> {
-    /// Tries of a step: parameters were drawn and the controller was run. Steps
-    /// without parameters count too, so the length of the plan is the least.
+    /// Tries of a step: parameters were drawn and the controller was run, or none were
+    /// found. Steps without parameters count too, so the length of the plan is the least.
     pub samples: u32,
     /// Plan skeletons that were refined.
     pub skeletons: u32,

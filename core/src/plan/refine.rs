@@ -156,6 +156,11 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
                 metrics.blame(reason);
                 return Ok(false);
             }
+            Drawn::Nothing => {
+                // It counts, so that tries without parameters end, too.
+                metrics.samples += 1;
+                return Ok(false);
+            }
         };
         metrics.samples += 1;
         let (operator, before) = (draw.operator, draw.state);

@@ -70,6 +70,8 @@ pub enum Drawn {
     /// No parameters are expected to work in this state: step back at once. This is
     /// advice, too.
     Empty(ReasonId),
+    /// None were found, and nothing is known: this try failed.
+    Nothing,
 }
 
 /// Draws the continuous parameters of a step.

@@ -71,7 +71,7 @@ pub struct critreg_planner_config {
     pub max_length: u32,
     /// Most low-level actions in a plan, as execute counts them. Default 100.
     pub max_actions: u32,
-    /// Most calls of execute. Default 10000.
+    /// Most calls of execute, with tries for which sample found nothing. Default 10000.
     pub max_samples: u32,
     /// How many nodes are expanded and samples drawn with advice: what advise
     /// postpones, what sample draws from a region or finds to be empty. If there is

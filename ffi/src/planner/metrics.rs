@@ -39,8 +39,9 @@ pub struct critreg_metrics {
     pub conclusion: u32,
     /// Operators in the plan.
     pub plan_length: u32,
-    /// Tries of a step: parameters were drawn and execute was called. Steps
-    /// without parameters count too, so the length of the plan is the least.
+    /// Tries of a step: parameters were drawn and execute was called, or
+    /// CRITREG_NO_SAMPLE was returned. Steps without parameters count too, so the length
+    /// of the plan is the least.
     pub samples: u32,
     /// Plan skeletons that were refined.
     pub skeletons: u32,

@@ -1,7 +1,9 @@
 //! The program's callbacks as the world, the sampler and the guide of a planning.
 
 use crate::boundary::rng::critreg_rng_seed;
-use crate::boundary::status::{CRITREG_EMPTY_REGION, Failure, Fallible, stop_unless_ok};
+use crate::boundary::status::{
+    CRITREG_EMPTY_REGION, CRITREG_NO_SAMPLE, Failure, Fallible, stop_unless_ok,
+};
 use crate::planner::callbacks::{
     CRITREG_KEEP, CRITREG_NO_REASON, CRITREG_POSTPONE, CRITREG_PRUNE, critreg_advise,
     critreg_callbacks, critreg_draw, critreg_drawn, critreg_ground,
@@ -159,10 +161,11 @@ impl<'a> Sampler<Program<'a>> for Draws<'_> {
         };
         // SAFETY: a callback of the program, called as the header promises.
         let status = unsafe { sample(user_data, &told, &mut own, &mut drawn) };
-        if status == CRITREG_EMPTY_REGION {
-            return Ok(Drawn::Empty(reason_of(drawn.reason)));
+        match status {
+            CRITREG_EMPTY_REGION => return Ok(Drawn::Empty(reason_of(drawn.reason))),
+            CRITREG_NO_SAMPLE => return Ok(Drawn::Nothing),
+            _ => stop_unless_ok(status, "sample")?,
         }
-        stop_unless_ok(status, "sample")?;
         let parameters = drawn.parameters.iter().zip(ranges);
         let checked = collect(parameters.map(|(value, range)| check(*value, *range)));
         match drawn.informed {
