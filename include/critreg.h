@@ -360,39 +360,47 @@
  * failed most often, and which reason of the program's was given most often.
  * c_examples/plan_tasks.c shows all of it.
  *
- * The PDDL that is understood is typed STRIPS with constants and equality:
+ * The PDDL that is understood is that of classical planning, STRIPS, ADL and the costs
+ * of actions:
  *
- *     domain     = "(" "define" "(" "domain" name ")" [ requires ]
- *                  [ "(" ":types" { typed-name } ")" ]
- *                  [ "(" ":constants" { typed-name } ")" ]
- *                  [ "(" ":predicates" { "(" name { typed-var } ")" } ")" ]
- *                  { action } ")" ;              (* ";" starts a comment *)
- *     action     = "(" ":action" name ":parameters" "(" { typed-var } ")"
- *                  [ ":precondition" condition ] [ ":effect" effect ] ")" ;
- *     problem    = "(" "define" "(" "problem" name ")"
- *                  "(" ":domain" name ")" [ requires ]
- *                  [ "(" ":objects" { typed-name } ")" ]
- *                  "(" ":init" { atom } ")" "(" ":goal" goal ")" ")" ;
- *     requires   = "(" ":requirements" { ":strips" | ":typing" | ":equality"
- *                                      | ":negative-preconditions" } ")" ;
- *     condition  = "(" ")" | "(" "and" { condition } ")" | atom | equal
- *                | "(" "not" equal ")" ;
- *     effect     = "(" ")" | "(" "and" { effect } ")" | atom
- *                | "(" "not" atom ")" ;
- *     goal       = "(" ")" | "(" "and" { goal } ")" | atom ;
+ *     domain     = "(" "define" "(" "domain" name ")" { section | action } ")" ;
+ *     section    = "(" ":requirements" { keyword } ")"
+ *                | "(" ":types" { typed-name } ")" | "(" ":constants" { typed-name } ")"
+ *                | "(" ":predicates" { "(" name { typed-var } ")" } ")"
+ *                | "(" ":functions" { "(" name { typed-var } ")" [ "-" type ] } ")" ;
+ *     action     = "(" ":action" name { ":parameters" "(" { typed-var } ")"
+ *                | ":precondition" condition | ":effect" effect } ")" ;
+ *     problem    = "(" "define" "(" "problem" name ")" { part } ")" ;
+ *     part       = "(" ":domain" name ")" | "(" ":requirements" { keyword } ")"
+ *                | "(" ":objects" { typed-name } ")" | "(" ":init" { fact } ")"
+ *                | "(" ":goal" condition ")"
+ *                | "(" ":metric" "minimize" "(" "total-cost" | "total-time" ")" ")" ;
+ *     fact       = atom | "(" "not" atom ")" | "(" "=" atom number ")" ;
+ *     condition  = "(" ")" | "(" "and" { condition } ")" | "(" "or" { condition } ")"
+ *                | "(" "not" condition ")" | "(" "imply" condition condition ")"
+ *                | "(" "forall" "(" { typed-var } ")" condition ")"
+ *                | "(" "exists" "(" { typed-var } ")" condition ")"
+ *                | "(" "=" term term ")" | atom ;
+ *     effect     = "(" ")" | "(" "and" { effect } ")" | "(" "not" atom ")" | atom
+ *                | "(" "forall" "(" { typed-var } ")" effect ")"
+ *                | "(" "when" condition effect ")"
+ *                | "(" "increase" "(" "total-cost" ")" ( number | atom ) ")" ;
  *     atom       = "(" name { term } ")" ;
- *     equal      = "(" "=" term term ")" ;
  *     term       = name | variable ;             (* names only in problems *)
- *     typed-name = name [ "-" name ] ;           (* "a b - c": both are c *)
- *     typed-var  = variable [ "-" name ] ;
+ *     typed-name = name [ "-" type ] ;           (* "a b - c": both are c *)
+ *     typed-var  = variable [ "-" type ] ;
+ *     type       = name | "(" "either" { name } ")" ;
  *
- * Case does not matter. Everything else of PDDL is refused by name, at its line and
- * column. Atoms of predicates that no action changes are decided when the planner is
- * made, and not asked for.
+ * ";" starts a comment. Sections may stand in any order; case does not matter. Costs are
+ * whole numbers, and count if the problem has a metric. Everything else of PDDL is refused
+ * by name, at its line and column. Atoms of predicates that no action changes are decided
+ * when the planner is made, and not asked for; nor are negations, nor atoms that no
+ * action can reach. An action with alternatives in its precondition or with conditional
+ * effects counts as several ground operators, at most 64.
  *
- * Limits: 32 types, 16 constants, 32 predicates, 32 actions with 4 parameters each
- * and 256 preconditions and effects in all; 64 objects, 512 atoms of :init, 16 of
- * the goal, 128 ground atoms that actions change. The rest is in
+ * Limits: 64 types, constants, predicates and actions, with 10 arguments each and 192 of
+ * all predicates and of all actions together; 768 words such as "and", preconditions and
+ * effects in all; 255 objects, 128 words and atoms of the goal. The rest is in
  * critreg_planner_config.
  *
  *
@@ -446,20 +454,35 @@
 
 /**
  * How many uint64_t make the memory of a planner with room for so many bytes of
- * PDDL, ground operators, nodes of the search, steps of a plan and numbers of a
- * state, for static arrays; see critreg_planner_config.
+ * PDDL, ground operators, nodes of the search, ground atoms, atoms of :init, steps of a
+ * plan and numbers of a state, for static arrays; see critreg_planner_config.
  * critreg_planner_size() tells the exact number of bytes.
  */
-#define CRITREG_PLANNER_WORDS_FOR(pddl_bytes, operators, nodes, length,        \
-                                  state_len)                                   \
+#define CRITREG_PLANNER_WORDS_OF(pddl_bytes, operators, nodes, atoms, facts,   \
+                                 length, state_len)                            \
     ((CRITREG_PLANNER_FIXED_BYTES + CRITREG_PLANNER_POINTERS * sizeof(void *)  \
+      + CRITREG_PLANNER_WORD_BYTES * CRITREG_MORE_WORDS(atoms)                 \
       + 2 * (size_t)(pddl_bytes)                                               \
-      + (size_t)(operators) * CRITREG_OPERATOR_BYTES                           \
-      + (size_t)(nodes) * CRITREG_NODE_BYTES                                   \
+      + (size_t)(operators)                                                    \
+            * (CRITREG_OPERATOR_BYTES + 24 * CRITREG_MORE_WORDS(atoms))        \
+      + (size_t)(nodes)                                                        \
+            * (CRITREG_NODE_BYTES + 9 * CRITREG_MORE_WORDS(atoms))             \
+      + (size_t)(facts) * CRITREG_FACT_BYTES                                   \
       + (size_t)(length)                                                       \
-            * (CRITREG_PLAN_STEP_BYTES                                         \
+            * (CRITREG_PLAN_STEP_BYTES + 8 * CRITREG_MORE_WORDS(atoms)         \
                + CRITREG_PLAN_STEP_POINTERS * sizeof(void *))                  \
       + 8 * ((size_t)(length) + 1) * (size_t)(state_len) + 7) / 8)
+
+/** How many more words than two a set of so many atoms has. */
+#define CRITREG_MORE_WORDS(atoms)                                              \
+    ((size_t)((atoms) <= 128 ? 0 : (atoms) <= 512 ? 6 : 14))
+
+/** The same with room for as many atoms as a configuration has unless it tells. */
+#define CRITREG_PLANNER_WORDS_FOR(pddl_bytes, operators, nodes, length,        \
+                                  state_len)                                   \
+    CRITREG_PLANNER_WORDS_OF(pddl_bytes, operators, nodes,                     \
+                             CRITREG_DEFAULT_ATOMS, CRITREG_DEFAULT_FACTS,     \
+                             length, state_len)
 
 /**
  * The same with the other capacities as a configuration has them unless it tells.
@@ -536,18 +559,23 @@
  * Bytes of a planner that do not depend on its capacity, apart from pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLANNER_FIXED_BYTES 11776
+#define CRITREG_PLANNER_FIXED_BYTES 30208
 
 /**
  * Pointers of a planner that do not depend on its capacity; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLANNER_POINTERS 1040
+#define CRITREG_PLANNER_POINTERS 3152
+
+/**
+ * Bytes of a planner for every word of sets beyond two; for CRITREG_PLANNER_WORDS_OF.
+ */
+#define CRITREG_PLANNER_WORD_BYTES 1320
 
 /**
  * Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_OPERATOR_BYTES 76
+#define CRITREG_OPERATOR_BYTES 92
 
 /**
  * Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
@@ -555,15 +583,20 @@
 #define CRITREG_NODE_BYTES 42
 
 /**
+ * Bytes of an atom or number of :init; for CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_FACT_BYTES 20
+
+/**
  * Bytes of a step of the longest plan, apart from its state and pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLAN_STEP_BYTES 112
+#define CRITREG_PLAN_STEP_BYTES 136
 
 /**
  * Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLAN_STEP_POINTERS 7
+#define CRITREG_PLAN_STEP_POINTERS 13
 
 /**
  * Most parameters of an action: an array for theta of this length fits every
@@ -678,7 +711,7 @@
 /**
  * Most objects of an atom, and most parameters of a PDDL action.
  */
-#define CRITREG_MAX_ARGUMENTS 4
+#define CRITREG_MAX_ARGUMENTS 10
 
 /**
  * Most operators in a plan, and in a sequence of them.
@@ -705,6 +738,21 @@
  * Nodes of the search that a planner has room for unless the configuration tells.
  */
 #define CRITREG_DEFAULT_NODES 4096
+
+/**
+ * Ground atoms that a planner has room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_ATOMS 128
+
+/**
+ * Most ground atoms of a planner.
+ */
+#define CRITREG_MAX_ATOMS 1024
+
+/**
+ * Atoms and numbers of :init that a planner has room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_FACTS 512
 
 /**
  * Longest domain or problem text of a planner in bytes, with its NUL.
@@ -1153,6 +1201,17 @@ typedef struct critreg_planner_config {
      * created. Default CRITREG_DEFAULT_NODES.
      */
     uint32_t nodes;
+    /**
+     * Ground atoms to have room for that can change, and negations that preconditions
+     * ask for. Sets of them have room for 128, 512 or 1024, so that is what each operator
+     * and node takes memory for. Default CRITREG_DEFAULT_ATOMS, at most
+     * CRITREG_MAX_ATOMS.
+     */
+    uint32_t atoms;
+    /**
+     * Atoms and numbers of :init to have room for. Default CRITREG_DEFAULT_FACTS.
+     */
+    uint32_t facts;
 } critreg_planner_config;
 
 /**
@@ -2525,7 +2584,7 @@ critreg_status critreg_planner_reasons(struct critreg_planner *planner,
  * @param domain The domain text, ended by NUL.
  * @param text Receives the words, ended by NUL: an empty text if all is well.
  * They are written also if the check fails, which is what they are for, and cut
- * off where the buffer ends. 128 bytes are always enough.
+ * off where the buffer ends. 256 bytes are always enough.
  * @param len Length of text in bytes; 0 if the words are not wanted.
  * @param needed NULL, or receives the length of the words with their NUL.
  * @return CRITREG_OK if the text is a domain; CRITREG_SYNTAX_ERROR; CRITREG_CAPACITY_EXCEEDED if it is

@@ -4,7 +4,6 @@ use crate::boundary::limits::CRITREG_DOMAIN_TEXT_MAX;
 use crate::boundary::pointer;
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::text;
-use crate::planner::layout::MAX_FACTS;
 use crate::planner::making::read_texts;
 use crate::region::making::REGION_TEXT_MAX;
 use core::ffi::c_char;
@@ -12,7 +11,9 @@ use core::fmt;
 use critreg_core::domain::Domain;
 use critreg_core::pddl;
 use critreg_core::region::Region;
-use critreg_core::task::GroundAtom;
+
+/// Most atoms of `:init` that a check has room for.
+const MAX_FACTS: usize = 2048;
 
 /// Reads a domain text and says what is wrong with it, such as
 /// "line 3, column 7: unknown object".
@@ -20,7 +21,7 @@ use critreg_core::task::GroundAtom;
 /// @param domain The domain text, ended by NUL.
 /// @param text Receives the words, ended by NUL: an empty text if all is well.
 /// They are written also if the check fails, which is what they are for, and cut
-/// off where the buffer ends. 128 bytes are always enough.
+/// off where the buffer ends. 256 bytes are always enough.
 /// @param len Length of text in bytes; 0 if the words are not wanted.
 /// @param needed NULL, or receives the length of the words with their NUL.
 /// @return CRITREG_OK if the text is a domain; CRITREG_SYNTAX_ERROR; CRITREG_CAPACITY_EXCEEDED if it is
@@ -101,9 +102,9 @@ fn check_pddl([domain, problem]: [&str; 2]) -> (&'static str, Fallible) {
         Ok(domain) => domain,
         Err(error) => return ("domain, ", Err(error.into())),
     };
-    let mut facts = [GroundAtom::default(); MAX_FACTS];
+    let mut facts = [pddl::Fact::default(); MAX_FACTS];
     let grounded = pddl::Problem::parse(&domain, problem, &mut facts)
-        .and_then(|problem| pddl::Grounding::new(&problem).map(|_| ()));
+        .and_then(|problem| pddl::Grounding::<16>::new(&problem).map(|_| ()));
     ("problem, ", grounded.map_err(Failure::from))
 }
 

@@ -9,7 +9,7 @@ use rand_core::Rng;
 
 /// A step of a plan.
 #[derive(Clone, Debug, Default)]
-pub struct Step<S> {
+pub struct Step<S, const N: usize = 2> {
     /// The place of its operator among those of the task.
     pub operator: u16,
     /// The parameters of its controller.
@@ -19,7 +19,7 @@ pub struct Step<S> {
     /// The state afterwards.
     pub state: S,
     /// The atoms that must hold afterwards.
-    necessary: AtomSet,
+    necessary: AtomSet<N>,
     /// How often it was tried since the step before changed.
     tries: u32,
     max_tries: u32,
@@ -47,7 +47,7 @@ pub enum Refinement {
 /// regressed through the rest of the skeleton. A step whose tries are spent begins
 /// anew when the step before was tried again.
 #[derive(Debug)]
-pub struct Refiner<'a, W: World, S> {
+pub struct Refiner<'a, W: World<N>, S, const N: usize = 2> {
     /// Where the steps are tried.
     pub world: &'a mut W,
     /// Where their parameters come from.
@@ -55,12 +55,12 @@ pub struct Refiner<'a, W: World, S> {
     /// The state to begin in.
     pub initial: &'a W::State,
     /// What shall hold in the end.
-    pub goal: AtomSet,
+    pub goal: AtomSet<N>,
     /// The limits.
     pub config: &'a Config,
 }
 
-impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
+impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
     /// Refines a plan skeleton. `steps` becomes the plan if this is
     /// [`Refinement::Done`].
     ///
@@ -68,9 +68,9 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
     /// Those of the world and the sampler.
     pub fn refine<R: Rng>(
         &mut self,
-        skeleton: Skeleton<'_>,
+        skeleton: Skeleton<'_, N>,
         rng: &mut R,
-        steps: &mut [Step<W::State>],
+        steps: &mut [Step<W::State, N>],
         metrics: &mut Metrics<'_>,
     ) -> Result<Refinement, W::Error> {
         let Some(steps) = steps.get_mut(..skeleton.len()) else {
@@ -114,8 +114,8 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
     /// necessary atoms.
     fn prepare(
         &self,
-        skeleton: Skeleton<'_>,
-        steps: &mut [Step<W::State>],
+        skeleton: Skeleton<'_, N>,
+        steps: &mut [Step<W::State, N>],
     ) -> Result<(), W::Error> {
         let mut necessary = self.goal;
         let places = steps.iter_mut().zip(skeleton.places());
@@ -137,8 +137,8 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
     /// they work.
     fn try_step<R: Rng>(
         &mut self,
-        draw: &Draw<'_, W::State>,
-        step: &mut Step<W::State>,
+        draw: &Draw<'_, W::State, N>,
+        step: &mut Step<W::State, N>,
         actions_before: u64,
         rng: &mut R,
         metrics: &mut Metrics<'_>,
@@ -184,7 +184,7 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
 
 /// Where to go on after a try of the step `at` failed: there, or at the last step
 /// before that has tries left; those of the steps between begin anew.
-fn step_back<S>(steps: &mut [Step<S>], at: usize) -> Option<usize> {
+fn step_back<S, const N: usize>(steps: &mut [Step<S, N>], at: usize) -> Option<usize> {
     for (place, step) in steps.iter_mut().enumerate().take(at + 1).rev() {
         if step.tries < step.max_tries {
             return Some(place);

@@ -15,9 +15,9 @@ use rand_core::Rng;
 
 /// A sequence of operators: that of another node, and one more.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct SearchNode {
+pub struct SearchNode<const N: usize = 2> {
     /// What holds after the sequence.
-    state: AtomSet,
+    state: AtomSet<N>,
     /// The node it extends.
     parent: u32,
     /// The place of its last operator among those of the task.
@@ -28,11 +28,11 @@ pub struct SearchNode {
 
 /// The memory of a [`Search`]. It bounds the search: lend less for a smaller budget.
 #[derive(Debug)]
-pub struct SearchMemory<'m> {
+pub struct SearchMemory<'m, const N: usize = 2> {
     /// For the heuristic.
-    pub heuristic: HeuristicMemory<'m>,
+    pub heuristic: HeuristicMemory<'m, N>,
     /// One for each sequence of operators that is created.
-    pub nodes: &'m mut [SearchNode],
+    pub nodes: &'m mut [SearchNode<N>],
     /// One for each sequence that waits; as many as there are nodes always suffice.
     pub open: &'m mut [Waiting],
 }
@@ -40,16 +40,17 @@ pub struct SearchMemory<'m> {
 /// A* over sequences of operators.
 ///
 /// The sequences are a tree: two that lead to the same abstract state are two plan
-/// skeletons, of which perhaps only one can be refined. Priority is the length so
-/// far and the estimate; ties are broken by lot.
+/// skeletons, of which perhaps only one can be refined. Priority is what the operators
+/// cost so far (their number, unless a PDDL text says otherwise) and the estimate; ties are
+/// broken by lot.
 ///
 /// If there was advice and patience ends, the search begins anew without it, as if
 /// there had been none.
 #[derive(Debug)]
-pub struct Search<'m, T> {
-    task: AbstractTask<'m>,
-    estimator: Estimator<'m>,
-    nodes: Table<'m, SearchNode>,
+pub struct Search<'m, T, const N: usize = 2> {
+    task: AbstractTask<'m, N>,
+    estimator: Estimator<'m, N>,
+    nodes: Table<'m, SearchNode<N>>,
     open: OpenList<'m>,
     lots: T,
     /// The lots as they were in the beginning.
@@ -59,7 +60,7 @@ pub struct Search<'m, T> {
     config: Config,
 }
 
-impl<'m, T: Rng + Clone> Search<'m, T> {
+impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
     /// A search that begins with the empty sequence. `lots` breaks ties, by one
     /// draw for each node.
     ///
@@ -67,10 +68,10 @@ impl<'m, T: Rng + Clone> Search<'m, T> {
     /// [`Error::CapacityExceeded`] if there is no room for the task or the first
     /// node.
     pub fn new(
-        task: AbstractTask<'m>,
+        task: AbstractTask<'m, N>,
         config: &Config,
         lots: T,
-        memory: SearchMemory<'m>,
+        memory: SearchMemory<'m, N>,
         metrics: &mut Metrics<'_>,
     ) -> Result<Self, Error> {
         let mut search = Search {
@@ -96,26 +97,26 @@ impl<'m, T: Rng + Clone> Search<'m, T> {
             state: self.task.initial,
             ..SearchNode::default()
         };
-        self.create(root, metrics)
+        self.create(root, 0, metrics)
     }
 
     /// The task.
-    pub fn task(&self) -> AbstractTask<'m> {
+    pub fn task(&self) -> AbstractTask<'m, N> {
         self.task
     }
 
     /// The next sequence of operators that reaches the goal; in the order of their
-    /// lengths if the heuristic is never too high, apart from a new beginning.
+    /// costs if the heuristic is never too high, apart from a new beginning.
     /// `None` if there is no other up to [`Config::max_length`].
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`] if the memory is full, without advice. The search
     /// stays as it was before the node that found no room.
-    pub fn next_skeleton<G: Guide>(
+    pub fn next_skeleton<G: Guide<N>>(
         &mut self,
         guide: &mut G,
         metrics: &mut Metrics<'_>,
-    ) -> Result<Option<Skeleton<'_>>, Error> {
+    ) -> Result<Option<Skeleton<'_, N>>, Error> {
         while let Some(waiting) = self.pop(metrics)? {
             let Some(node) = self.node(waiting.node) else {
                 break;
@@ -124,7 +125,7 @@ impl<'m, T: Rng + Clone> Search<'m, T> {
             if !self.is_kept(guide, metrics) {
                 continue;
             }
-            if self.task.goal.is_subset(node.state) {
+            if self.task.reached(node.state).is_some() {
                 return Ok(Some(self.skeleton()));
             }
             if usize::from(node.length) >= self.config.max_length.min(MAX_SKELETON) {
@@ -162,12 +163,12 @@ impl<'m, T: Rng + Clone> Search<'m, T> {
         self.begin(metrics)
     }
 
-    fn node(&self, place: u32) -> Option<SearchNode> {
+    fn node(&self, place: u32) -> Option<SearchNode<N>> {
         self.nodes.as_slice().get(place as usize).copied()
     }
 
     /// Makes the sequence of a node the one at hand.
-    fn follow(&mut self, mut node: SearchNode) -> Result<(), Error> {
+    fn follow(&mut self, mut node: SearchNode<N>) -> Result<(), Error> {
         self.path.clear();
         while node.length > 0 {
             let pushed = self.path.push(node.operator);
@@ -179,12 +180,12 @@ impl<'m, T: Rng + Clone> Search<'m, T> {
     }
 
     /// The sequence at hand.
-    fn skeleton(&self) -> Skeleton<'_> {
+    fn skeleton(&self) -> Skeleton<'_, N> {
         Skeleton::new(self.task.operators, &self.path)
     }
 
     /// Whether to go on with the sequence at hand.
-    fn is_kept<G: Guide>(&mut self, guide: &mut G, metrics: &mut Metrics<'_>) -> bool {
+    fn is_kept<G: Guide<N>>(&mut self, guide: &mut G, metrics: &mut Metrics<'_>) -> bool {
         if self.path.is_empty() {
             return true;
         }
@@ -201,9 +202,8 @@ impl<'m, T: Rng + Clone> Search<'m, T> {
     }
 
     /// Whether all children of a node find room.
-    fn check_room(&self, node: SearchNode) -> Result<(), Error> {
-        let operators = self.task.operators.iter();
-        let children = operators.filter(|o| o.is_applicable(node.state)).count();
+    fn check_room(&self, node: SearchNode<N>) -> Result<(), Error> {
+        let children = self.task.applicable(node.state).count();
         if self.nodes.capacity().saturating_sub(self.nodes.len()) < children {
             Err(Error::CapacityExceeded("nodes of the search"))
         } else if self.open.room() < children {
@@ -216,26 +216,31 @@ impl<'m, T: Rng + Clone> Search<'m, T> {
     fn expand(
         &mut self,
         parent: u32,
-        node: SearchNode,
+        node: SearchNode<N>,
         metrics: &mut Metrics<'_>,
     ) -> Result<(), Error> {
         metrics.nodes_expanded += 1;
-        for (operator, ground) in (0..).zip(self.task.operators) {
-            if ground.is_applicable(node.state) {
-                let child = SearchNode {
-                    state: ground.apply(node.state),
-                    parent,
-                    operator,
-                    length: node.length.saturating_add(1),
-                };
-                self.create(child, metrics)?;
-            }
+        let costs = self.skeleton().iter().map(|operator| operator.cost);
+        let before = costs.fold(0, u32::saturating_add);
+        for (operator, ground) in self.task.applicable(node.state) {
+            let child = SearchNode {
+                state: ground.apply(node.state),
+                parent,
+                operator,
+                length: node.length.saturating_add(1),
+            };
+            self.create(child, before.saturating_add(ground.cost), metrics)?;
         }
         Ok(())
     }
 
-    /// Lets a node wait, unless it is a dead end.
-    fn create(&mut self, node: SearchNode, metrics: &mut Metrics<'_>) -> Result<(), Error> {
+    /// Lets a node wait, the operators of which cost so much, unless it is a dead end.
+    fn create(
+        &mut self,
+        node: SearchNode<N>,
+        spent: u32,
+        metrics: &mut Metrics<'_>,
+    ) -> Result<(), Error> {
         metrics.nodes_created += 1;
         let lot = self.lots.next_u64() >> 11;
         let Estimate::Cost(cost) = self.estimator.estimate(node.state) else {
@@ -244,7 +249,7 @@ impl<'m, T: Rng + Clone> Search<'m, T> {
         let place = u32::try_from(self.nodes.len());
         self.nodes.push(node)?;
         self.open.push(Waiting {
-            priority: u32::from(node.length).saturating_add(cost),
+            priority: spent.saturating_add(cost),
             lot,
             node: place.map_err(|_| Error::CapacityExceeded("nodes of the search"))?,
         })

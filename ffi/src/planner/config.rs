@@ -21,7 +21,7 @@ pub const CRITREG_H_ADD: u32 = 3;
 pub const CRITREG_BLIND: u32 = 4;
 
 /// Most objects of an atom, and most parameters of a PDDL action.
-pub const CRITREG_MAX_ARGUMENTS: usize = 4;
+pub const CRITREG_MAX_ARGUMENTS: usize = 10;
 
 /// Most operators in a plan, and in a sequence of them.
 pub const CRITREG_MAX_PLAN_LENGTH: u32 = 128;
@@ -38,6 +38,15 @@ pub const CRITREG_DEFAULT_OPERATORS: u32 = 256;
 
 /// Nodes of the search that a planner has room for unless the configuration tells.
 pub const CRITREG_DEFAULT_NODES: u32 = 4096;
+
+/// Ground atoms that a planner has room for unless the configuration tells.
+pub const CRITREG_DEFAULT_ATOMS: u32 = 128;
+
+/// Most ground atoms of a planner.
+pub const CRITREG_MAX_ATOMS: u32 = 1024;
+
+/// Atoms and numbers of :init that a planner has room for unless the configuration tells.
+pub const CRITREG_DEFAULT_FACTS: u32 = 512;
 
 /// Longest domain or problem text of a planner in bytes, with its NUL.
 pub const CRITREG_PDDL_TEXT_MAX: usize = 65_536;
@@ -89,6 +98,13 @@ pub struct critreg_planner_config {
     /// Nodes of the search to have room for: sequences of operators that are
     /// created. Default CRITREG_DEFAULT_NODES.
     pub nodes: u32,
+    /// Ground atoms to have room for that can change, and negations that preconditions
+    /// ask for. Sets of them have room for 128, 512 or 1024, so that is what each operator
+    /// and node takes memory for. Default CRITREG_DEFAULT_ATOMS, at most
+    /// CRITREG_MAX_ATOMS.
+    pub atoms: u32,
+    /// Atoms and numbers of :init to have room for. Default CRITREG_DEFAULT_FACTS.
+    pub facts: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -102,6 +118,8 @@ pub(crate) struct PlannerCapacity {
     pub(crate) pddl_bytes: usize,
     pub(crate) operators: usize,
     pub(crate) nodes: usize,
+    pub(crate) atoms: usize,
+    pub(crate) facts: usize,
     pub(crate) length: usize,
     pub(crate) state_len: usize,
 }
@@ -138,6 +156,8 @@ fn defaults() -> critreg_planner_config {
         pddl_bytes: CRITREG_DEFAULT_PDDL_BYTES,
         operators: CRITREG_DEFAULT_OPERATORS,
         nodes: CRITREG_DEFAULT_NODES,
+        atoms: CRITREG_DEFAULT_ATOMS,
+        facts: CRITREG_DEFAULT_FACTS,
     }
 }
 
@@ -166,10 +186,15 @@ impl critreg_planner_config {
         if self.max_tries == 0 {
             return Err(Failure::invalid("config.max_tries is at least 1"));
         }
+        if self.atoms > CRITREG_MAX_ATOMS {
+            return Err(Failure::invalid("config.atoms is at most 1024"));
+        }
         Ok(PlannerCapacity {
             pddl_bytes: self.pddl_bytes as usize,
             operators: self.operators as usize,
             nodes: self.nodes as usize,
+            atoms: self.atoms as usize,
+            facts: self.facts as usize,
             length: self.max_length as usize,
             state_len: self.state_len as usize,
         })

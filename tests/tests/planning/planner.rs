@@ -484,6 +484,7 @@ fn a_plan_has_no_more_actions_than_can_be_counted() {
     let operators = [0, 1, 2].map(|place: u32| GroundOperator {
         operator: OperatorId(0),
         objects: Arguments::default(),
+        cost: 1,
         preconditions: place.checked_sub(1).map_or(AtomSet::EMPTY, AtomSet::single),
         add_effects: AtomSet::single(place),
         delete_effects: AtomSet::EMPTY,

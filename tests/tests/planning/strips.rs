@@ -46,6 +46,7 @@ impl Strips {
         let ground = |[pre, add, delete]: &[u8; 3]| GroundOperator {
             operator: OperatorId(0),
             objects: Arguments::default(),
+            cost: 1,
             preconditions: set(*pre),
             add_effects: set(*add),
             delete_effects: set(*delete),
