@@ -580,7 +580,7 @@
 /**
  * Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_NODE_BYTES 42
+#define CRITREG_NODE_BYTES 46
 
 /**
  * Bytes of an atom or number of :init; for CRITREG_PLANNER_WORDS.
@@ -1212,6 +1212,16 @@ typedef struct critreg_planner_config {
      * Atoms and numbers of :init to have room for. Default CRITREG_DEFAULT_FACTS.
      */
     uint32_t facts;
+    /**
+     * How many sequences that lead to one abstract state are extended before all others
+     * are; more only if a skeleton cannot be refined, or nothing else is left. Where no
+     * action has parameters it is 1. Default 4; 0 is no bound.
+     */
+    uint32_t skeletons_per_state;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
 } critreg_planner_config;
 
 /**
@@ -1537,9 +1547,10 @@ typedef struct critreg_metrics {
      */
     uint32_t main_reason;
     /**
-     * Always 0.
+     * Sequences that were not extended at first, as enough others lead to the same
+     * abstract state; see critreg_planner_config.skeletons_per_state.
      */
-    uint32_t reserved;
+    uint32_t repeated;
 } critreg_metrics;
 
 /**

@@ -22,6 +22,9 @@ pub struct Metrics<'m> {
     pub postponed: u32,
     /// Sequences that were not extended because of their length.
     pub cut_off: u32,
+    /// Sequences that were not extended at first, as enough others lead to the same
+    /// abstract state: see [`Config::skeletons_per_state`].
+    pub repeated: u32,
     /// Draws that ended with the sampler knowing that no parameters work.
     pub empty_draws: u32,
     /// Draws in which the sampler knew where to draw.

@@ -64,6 +64,7 @@ mod room;
 mod search;
 mod skeleton;
 mod task;
+mod visited;
 mod world;
 
 pub use config::Config;

@@ -38,6 +38,7 @@ impl<S, const N: usize> Memory<'_, S, N> {
                 },
                 nodes: self.search.nodes,
                 open: self.search.open,
+                visited: self.search.visited,
             },
             steps: self.steps,
             failures: self.failures,
@@ -116,6 +117,7 @@ impl<W, S, G> Planner<'_, W, S, G> {
         let steps = memory.steps;
         let config = Config {
             max_length: self.config.max_length.min(steps.len()),
+            skeletons_per_state: self.skeletons_per_state(task)?,
             ..self.config
         };
         let search = Search::new(task, &config, lots, memory.search, &mut metrics);
@@ -131,6 +133,22 @@ impl<W, S, G> Planner<'_, W, S, G> {
             metrics,
             steps: plan.unwrap_or_default(),
         })
+    }
+
+    /// One, if no operator has parameters: then there is nothing to choose on the way.
+    fn skeletons_per_state<const N: usize>(
+        &self,
+        task: AbstractTask<'_, N>,
+    ) -> Result<u32, W::Error>
+    where
+        W: World<N>,
+    {
+        for operator in task.operators.iter().filter(|o| !o.is_goal()) {
+            if self.world.parameters(operator)? > 0 {
+                return Ok(self.config.skeletons_per_state.max(1));
+            }
+        }
+        Ok(1)
     }
 
     fn search_then_sample<R: Rng, const N: usize>(
@@ -171,7 +189,8 @@ impl<W, S, G> Planner<'_, W, S, G> {
                 .fold(task.initial, |state, o| o.apply(state));
             refiner.goal = task.reached(end).unwrap_or(task.goal);
             match refiner.refine(skeleton, &mut samples(), steps, metrics)? {
-                Refinement::Failed | Refinement::PatienceSpent => {}
+                Refinement::Failed => search.widen(),
+                Refinement::PatienceSpent => {}
                 Refinement::SamplesSpent => return Ok(Conclusion::SamplesSpent),
                 Refinement::TooLong => return Ok(Conclusion::Full("steps of a plan")),
                 Refinement::Done => {

@@ -7,9 +7,10 @@ use super::metrics::Metrics;
 use super::open::{OpenList, Waiting};
 use super::skeleton::{MAX_SKELETON, Skeleton};
 use super::task::AbstractTask;
+use super::visited::{Visit, Visited};
 use crate::error::Error;
 use crate::table::Table;
-use crate::task::AtomSet;
+use crate::task::{AtomSet, GroundOperator};
 use heapless::Vec;
 use rand_core::Rng;
 
@@ -23,8 +24,15 @@ pub struct SearchNode<const N: usize = 2> {
     /// The place of its last operator among those of the task.
     operator: u16,
     /// Its length; the root, alone, has none.
-    length: u16,
+    length: u8,
+    /// If it is the first of its abstract state to be extended: how many were, up to 255.
+    extended: u8,
 }
+
+/// Bits of a lot that are not drawn.
+const HEIGHT_BITS: u32 = 11;
+
+const _: () = assert!(MAX_SKELETON <= u8::MAX as usize);
 
 /// The memory of a [`Search`]. It bounds the search: lend less for a smaller budget.
 #[derive(Debug)]
@@ -35,14 +43,18 @@ pub struct SearchMemory<'m, const N: usize = 2> {
     pub nodes: &'m mut [SearchNode<N>],
     /// One for each sequence that waits; as many as there are nodes always suffice.
     pub open: &'m mut [Waiting],
+    /// One for each abstract state that is recognised, and some more; none if
+    /// [`Config::skeletons_per_state`] is no bound.
+    pub visited: &'m mut [u32],
 }
 
 /// A* over sequences of operators.
 ///
 /// The sequences are a tree: two that lead to the same abstract state are two plan
-/// skeletons, of which perhaps only one can be refined. Priority is what the operators
+/// skeletons, of which perhaps only one can be refined. How many of them are extended at
+/// first is bounded, see [`Config::skeletons_per_state`]. Priority is what the operators
 /// cost so far (their number, unless a PDDL text says otherwise) and the estimate; ties are
-/// broken by lot.
+/// broken by lot; where a state is extended once, first by the estimate.
 ///
 /// If there was advice and patience ends, the search begins anew without it, as if
 /// there had been none.
@@ -52,6 +64,9 @@ pub struct Search<'m, T, const N: usize = 2> {
     estimator: Estimator<'m, N>,
     nodes: Table<'m, SearchNode<N>>,
     open: OpenList<'m>,
+    visited: Visited<'m>,
+    /// How many sequences to one abstract state are extended.
+    bound: u32,
     lots: T,
     /// The lots as they were in the beginning.
     all_lots: T,
@@ -79,6 +94,8 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
             estimator: Estimator::new(config.heuristic, task, memory.heuristic)?,
             nodes: Table::new(memory.nodes, "nodes of the search"),
             open: OpenList::new(memory.open),
+            visited: Visited::new(memory.visited),
+            bound: config.skeletons_per_state,
             all_lots: lots.clone(),
             lots,
             path: Vec::new(),
@@ -92,6 +109,8 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
     fn begin(&mut self, metrics: &mut Metrics<'_>) -> Result<(), Error> {
         self.nodes.clear();
         self.open.clear();
+        self.visited.clear();
+        self.bound = self.config.skeletons_per_state;
         self.lots = self.all_lots.clone();
         let root = SearchNode {
             state: self.task.initial,
@@ -132,6 +151,11 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
                 metrics.cut_off += 1;
                 continue;
             }
+            if !self.is_wanted(waiting.node, node) {
+                metrics.repeated += 1;
+                self.open.push(waiting.aside())?;
+                continue;
+            }
             match self.check_room(node) {
                 Ok(()) => self.expand(waiting.node, node, metrics)?,
                 Err(_) if metrics.is_advised() => self.begin_without_advice(metrics)?,
@@ -151,11 +175,82 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
             self.begin_without_advice(metrics)?;
         }
         let first = self.open.pop();
-        if first.is_some() || !metrics.is_advised() {
+        if first.is_some_and(|first| !first.is_aside()) {
             return Ok(first);
         }
-        self.begin_without_advice(metrics)?;
+        if metrics.is_advised() {
+            self.begin_without_advice(metrics)?;
+            return Ok(self.open.pop());
+        }
+        self.raise(first, metrics)
+    }
+
+    /// Whether all that is left is set aside. If no skeleton was found by now there is
+    /// none: what can be reached from an abstract state does not depend on the way there,
+    /// unless the way is too long. Otherwise another way may be refined, so the bound rises.
+    fn raise(
+        &mut self,
+        aside: Option<Waiting>,
+        metrics: &Metrics<'_>,
+    ) -> Result<Option<Waiting>, Error> {
+        let Some(aside) = aside else {
+            return Ok(None);
+        };
+        self.open.push(aside)?;
+        if metrics.spent().skeletons == 0 && metrics.cut_off == 0 {
+            return Ok(None);
+        }
+        self.widen();
         Ok(self.open.pop())
+    }
+
+    /// Extends twice as many sequences to each abstract state as before. A skeleton that
+    /// could not be refined is a reason to: another way there may leave something else
+    /// behind.
+    pub fn widen(&mut self) {
+        if self.bound < u32::MAX {
+            self.bound = self.bound.saturating_mul(2);
+            self.open.rejoin();
+        }
+    }
+
+    /// Whether to extend the sequence at hand: if not enough others to the same abstract
+    /// state were, or if it costs less than the first of them.
+    fn is_wanted(&mut self, place: u32, node: SearchNode<N>) -> bool {
+        if self.bound > u8::MAX.into() {
+            return true;
+        }
+        let nodes = self.nodes.as_mut_slice();
+        let same = |other: u32| {
+            let other = nodes.get(other as usize);
+            other.is_some_and(|other| other.state == node.state)
+        };
+        let first = match self.visited.find(node.state.hash(), same) {
+            Visit::Full => return true,
+            Visit::New(slot) => {
+                *slot = place.saturating_add(1);
+                place
+            }
+            Visit::Known(slot) => {
+                let first = slot.saturating_sub(1);
+                let extended = nodes.get(first as usize).map_or(0, |first| first.extended);
+                let cheaper = cost_to(self.task.operators, nodes, place)
+                    < cost_to(self.task.operators, nodes, first);
+                if cheaper {
+                    *slot = place.saturating_add(1);
+                    if let Some(own) = nodes.get_mut(place as usize) {
+                        own.extended = extended;
+                    }
+                } else if u32::from(extended) >= self.bound {
+                    return false;
+                }
+                if cheaper { place } else { first }
+            }
+        };
+        if let Some(first) = nodes.get_mut(first as usize) {
+            first.extended = first.extended.saturating_add(1);
+        }
+        true
     }
 
     fn begin_without_advice(&mut self, metrics: &mut Metrics<'_>) -> Result<(), Error> {
@@ -228,6 +323,7 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
                 parent,
                 operator,
                 length: node.length.saturating_add(1),
+                extended: 0,
             };
             self.create(child, before.saturating_add(ground.cost), metrics)?;
         }
@@ -242,16 +338,41 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
         metrics: &mut Metrics<'_>,
     ) -> Result<(), Error> {
         metrics.nodes_created += 1;
-        let lot = self.lots.next_u64() >> 11;
+        let lot = self.lots.next_u64() >> HEIGHT_BITS;
         let Estimate::Cost(cost) = self.estimator.estimate(node.state) else {
             return Ok(());
         };
         let place = u32::try_from(self.nodes.len());
         self.nodes.push(node)?;
-        self.open.push(Waiting {
-            priority: spent.saturating_add(cost),
-            lot,
-            node: place.map_err(|_| Error::CapacityExceeded("nodes of the search"))?,
-        })
+        let place = place.map_err(|_| Error::CapacityExceeded("nodes of the search"))?;
+        // In a graph, what is nearer to the goal comes first.
+        let height = match self.config.skeletons_per_state {
+            1 => u64::from(cost.min((1 << HEIGHT_BITS) - 1)) << (u64::BITS - HEIGHT_BITS),
+            _ => 0,
+        };
+        let waiting = Waiting::new(spent.saturating_add(cost), height | lot, place);
+        self.open.push(waiting)
     }
+}
+
+/// What the sequence of a node costs.
+fn cost_to<const N: usize>(
+    operators: &[GroundOperator<N>],
+    nodes: &[SearchNode<N>],
+    place: u32,
+) -> u32 {
+    let mut cost = 0u32;
+    let mut node = nodes.get(place as usize);
+    while let Some(SearchNode {
+        length: 1..,
+        operator,
+        parent,
+        ..
+    }) = node
+    {
+        let own = operators.get(usize::from(*operator));
+        cost = cost.saturating_add(own.map_or(0, |own| own.cost));
+        node = nodes.get(*parent as usize);
+    }
+    cost
 }

@@ -167,6 +167,14 @@ impl<const N: usize> AtomSet<N> {
         self.0
     }
 
+    /// A number that is mostly another one for another set: multiplicative hashing (Knuth),
+    /// of which the upper half is good.
+    pub(crate) fn hash(self) -> u32 {
+        const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
+        let join = |mixed: u64, word: &u64| mixed.wrapping_mul(GOLDEN) ^ word;
+        (self.0.iter().rfold(0, join).wrapping_mul(GOLDEN) >> 32) as u32
+    }
+
     /// Whether there are none.
     pub fn is_empty(self) -> bool {
         self.0.iter().fold(0, |all, word| all | word) == 0

@@ -49,7 +49,7 @@ pub const CRITREG_PLANNER_WORD_BYTES: usize = 1_320;
 pub const CRITREG_OPERATOR_BYTES: usize = 92;
 
 /// Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
-pub const CRITREG_NODE_BYTES: usize = 42;
+pub const CRITREG_NODE_BYTES: usize = 46;
 
 /// Bytes of an atom or number of :init; for CRITREG_PLANNER_WORDS.
 pub const CRITREG_FACT_BYTES: usize = 20;

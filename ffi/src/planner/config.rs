@@ -105,6 +105,12 @@ pub struct critreg_planner_config {
     pub atoms: u32,
     /// Atoms and numbers of :init to have room for. Default CRITREG_DEFAULT_FACTS.
     pub facts: u32,
+    /// How many sequences that lead to one abstract state are extended before all others
+    /// are; more only if a skeleton cannot be refined, or nothing else is left. Where no
+    /// action has parameters it is 1. Default 4; 0 is no bound.
+    pub skeletons_per_state: u32,
+    /// Always 0.
+    pub reserved: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -158,6 +164,8 @@ fn defaults() -> critreg_planner_config {
         nodes: CRITREG_DEFAULT_NODES,
         atoms: CRITREG_DEFAULT_ATOMS,
         facts: CRITREG_DEFAULT_FACTS,
+        skeletons_per_state: 4,
+        reserved: 0,
     }
 }
 
@@ -216,6 +224,10 @@ impl critreg_planner_config {
             max_length: self.max_length as usize,
             max_actions: self.max_actions,
             max_samples: self.max_samples,
+            skeletons_per_state: match self.skeletons_per_state {
+                0 => u32::MAX,
+                bound => bound,
+            },
             patience: self.patience,
         })
     }

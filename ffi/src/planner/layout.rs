@@ -33,6 +33,7 @@ parts! {
     ranges: Ranges, MAX_ACTIONS;
     states: f64, capacity.numbers();
     open: Waiting, capacity.nodes;
+    visited: u32, capacity.nodes;
     sequence: Cell<critreg_ground>, capacity.length;
     failures: u32, MAX_ACTIONS;
     reasons: u32, CRITREG_MAX_REASONS as usize;
@@ -131,6 +132,7 @@ impl PlannerLayout {
                 progress: self.parts.progress.fill(memory, Progress::default()),
                 links: self.parts.links.fill(memory, 0),
                 open: self.parts.open.fill(memory, Waiting::default()),
+                visited: self.parts.visited.fill(memory, 0),
                 initial,
                 sequence: self
                     .parts

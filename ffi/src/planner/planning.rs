@@ -94,6 +94,7 @@ fn plan(
         progress,
         links,
         open,
+        visited,
         initial,
         sequence,
         failures,
@@ -119,6 +120,7 @@ fn plan(
         progress,
         links,
         open,
+        visited,
         failures,
         reasons,
     };
@@ -132,6 +134,7 @@ struct Shared<'a> {
     progress: &'a mut [Progress],
     links: &'a mut [u16],
     open: &'a mut [Waiting],
+    visited: &'a mut [u32],
     failures: &'a mut [u32],
     reasons: &'a mut [u32],
 }
@@ -178,6 +181,7 @@ impl Call<'_> {
                 },
                 nodes: sets.nodes,
                 open: shared.open,
+                visited: shared.visited,
             },
             steps: sets.steps,
             failures: shared.failures,

@@ -47,6 +47,7 @@ pub(crate) struct Tables {
     pub(crate) progress: &'static mut [Progress],
     pub(crate) links: &'static mut [u16],
     pub(crate) open: &'static mut [Waiting],
+    pub(crate) visited: &'static mut [u32],
     pub(crate) initial: Numbers,
     pub(crate) sequence: &'static [Cell<critreg_ground>],
     pub(crate) failures: &'static mut [u32],

@@ -1,15 +1,15 @@
 //! Public planning texts: which are read, which are solved, and what plans cost, beside
 //! what is recorded.
 
+use crate::plan::symbols::Symbols;
 use critreg::Error;
 use critreg::pddl::{Domain, Fact, Grounding, Problem};
 use critreg::plan::{
-    AbstractTask, Cached, Conclusion, Config, Draw, Drawn, HeuristicMemory, Memory, Planner,
-    Progress, Sampler, SearchMemory, SearchNode, Step, Unguided, Waiting, World, links,
+    AbstractTask, Cached, Conclusion, Config, HeuristicMemory, Memory, Planner, Progress,
+    SearchMemory, SearchNode, Step, Unguided, Waiting, links,
 };
 use critreg::random::generator;
-use critreg::task::{AtomSet, GroundOperator, Parameters};
-use rand_core::Rng;
+use critreg::task::AtomSet;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
@@ -206,14 +206,15 @@ fn solve_in<const N: usize>(problem: &Problem<'_>) -> Result<Outcome, Error> {
             },
             nodes: &mut nodes,
             open: &mut vec![Waiting::default(); NODES],
+            visited: &mut vec![0; NODES],
         },
         steps: &mut steps,
         failures: &mut [0; 64],
         reasons: &mut [],
     };
     let mut planner = Planner {
-        world: &mut Symbols,
-        sampler: &mut Symbols,
+        world: &mut Symbols { parameters: 0 },
+        sampler: &mut Symbols { parameters: 0 },
         guide: &mut Unguided,
         config: Config {
             max_actions: 128,
@@ -236,37 +237,4 @@ fn solve_in<const N: usize>(problem: &Problem<'_>) -> Result<Outcome, Error> {
         operators: operators.len(),
         nodes: planned.metrics.nodes_created,
     })
-}
-
-/// A world in which operators do what they say.
-struct Symbols;
-
-impl<const N: usize> World<N> for Symbols {
-    type State = AtomSet<N>;
-    type Error = Error;
-
-    fn parameters(&self, _: &GroundOperator<N>) -> Result<usize, Error> {
-        Ok(0)
-    }
-
-    fn holds(&mut self, atom: u32, state: &AtomSet<N>) -> Result<bool, Error> {
-        Ok(state.contains(atom))
-    }
-
-    fn execute(
-        &mut self,
-        operator: &GroundOperator<N>,
-        _: &[f64],
-        before: &AtomSet<N>,
-        after: &mut AtomSet<N>,
-    ) -> Result<u32, Error> {
-        *after = operator.apply(*before);
-        Ok(u32::from(operator.is_applicable(*before)))
-    }
-}
-
-impl<const N: usize> Sampler<Symbols, N> for Symbols {
-    fn sample<R: Rng>(&mut self, _: &Draw<'_, AtomSet<N>, N>, _: &mut R) -> Result<Drawn, Error> {
-        Ok(Drawn::Parameters(Parameters::new()))
-    }
 }

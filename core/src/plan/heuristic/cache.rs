@@ -33,12 +33,9 @@ impl<'m, const N: usize> Cache<'m, N> {
         }
     }
 
-    /// Multiplicative hashing (Knuth), its upper half scaled to the table.
+    /// The hash, scaled to the table.
     fn place(&self, state: AtomSet<N>) -> usize {
-        const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
-        let join = |mixed: u64, word: &u64| mixed.wrapping_mul(GOLDEN) ^ word;
-        let mixed = state.words().iter().rfold(0, join).wrapping_mul(GOLDEN) >> 32;
         let count = self.places.len() as u64 & 0xFFFF_FFFF;
-        (mixed.wrapping_mul(count) >> 32) as usize
+        (u64::from(state.hash()).wrapping_mul(count) >> 32) as usize
     }
 }
