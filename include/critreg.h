@@ -559,13 +559,13 @@
  * Bytes of a planner that do not depend on its capacity, apart from pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLANNER_FIXED_BYTES 30208
+#define CRITREG_PLANNER_FIXED_BYTES 30592
 
 /**
  * Pointers of a planner that do not depend on its capacity; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLANNER_POINTERS 3152
+#define CRITREG_PLANNER_POINTERS 3168
 
 /**
  * Bytes of a planner for every word of sets beyond two; for CRITREG_PLANNER_WORDS_OF.
@@ -813,6 +813,63 @@
  * critreg_planner_failures() and critreg_planner_reasons().
  */
 #define CRITREG_STOPPED 7
+
+/**
+ * For critreg_planner_why(): there is a plan, or nothing was planned yet.
+ */
+#define CRITREG_WHY_NOTHING 0
+
+/**
+ * An atom of the goal cannot be reached, whatever is done: the sentence names it, and
+ * what is missing.
+ */
+#define CRITREG_WHY_UNREACHABLE 1
+
+/**
+ * No sequence of actions reaches the goal, however long.
+ */
+#define CRITREG_WHY_NO_SKELETON 2
+
+/**
+ * The callback advise pruned all sequences that reach the goal.
+ */
+#define CRITREG_WHY_PRUNED 3
+
+/**
+ * No sequence of up to critreg_planner_config.max_length actions reaches the goal.
+ */
+#define CRITREG_WHY_LENGTH 4
+
+/**
+ * Steps with parameters failed critreg_planner_config.max_tries times, while samples were
+ * left.
+ */
+#define CRITREG_WHY_TRIES 5
+
+/**
+ * Steps without parameters failed: the simulator does not do what the text says.
+ */
+#define CRITREG_WHY_WORLD 6
+
+/**
+ * critreg_planner_config.max_skeletons were refined in vain.
+ */
+#define CRITREG_WHY_SKELETONS 7
+
+/**
+ * critreg_planner_config.max_samples were drawn in vain.
+ */
+#define CRITREG_WHY_SAMPLES 8
+
+/**
+ * The memory is full.
+ */
+#define CRITREG_WHY_MEMORY 9
+
+/**
+ * A callback stopped planning.
+ */
+#define CRITREG_WHY_STOPPED 10
 
 /**
  * Option of the stick-button environment: robot and stick can turn, and lie at
@@ -1215,7 +1272,8 @@ typedef struct critreg_planner_config {
     /**
      * How many sequences that lead to one abstract state are extended before all others
      * are; more only if a skeleton cannot be refined, or nothing else is left. Where no
-     * action has parameters it is 1. Default 4; 0 is no bound.
+     * action has parameters it is 1. Default 4. 0 is no bound: then a beginning of a
+     * skeleton that cannot work is tried again in others, too.
      */
     uint32_t skeletons_per_state;
     /**
@@ -2552,6 +2610,31 @@ critreg_status critreg_metrics_init(struct critreg_metrics *metrics,
                                     size_t size);
 
 /**
+ * Why the last critreg_plan() found no plan: what stood in the way, and what to change
+ * first. critreg_planner_metrics() has the numbers.
+ *
+ * ```c
+ * if (critreg_plan(planner, &callbacks, state, 1, NULL, NULL) == CRITREG_NO_PLAN
+ *     && critreg_planner_why(planner, &why, text, sizeof text, NULL) == CRITREG_OK)
+ *     puts(text);   // the goal cannot be reached: nothing reaches (At roof), as Climb ...
+ * ```
+ *
+ * @param planner The planner; may be called from its callbacks.
+ * @param why Receives CRITREG_WHY_UNREACHABLE or another code.
+ * @param text Receives the sentence, ended by NUL; empty for CRITREG_WHY_NOTHING.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the sentence with its NUL, also
+ * if the buffer is too small.
+ * @return CRITREG_TOO_SMALL (of text nothing is written); CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_why(const struct critreg_planner *planner,
+                                   uint32_t *why,
+                                   char *text,
+                                   size_t len,
+                                   size_t *needed);
+
+/**
  * What the last critreg_plan() cost, however it ended.
  *
  * @param planner The planner; may be called from its callbacks.
@@ -2644,6 +2727,23 @@ critreg_status critreg_check_pddl(const char *domain,
                                   char *text,
                                   size_t len,
                                   size_t *needed);
+
+/**
+ * Sets pddl_bytes, operators, atoms and facts of a configuration to what a PDDL domain and
+ * a problem of it need; the rest stays. Ask critreg_planner_size() then how much memory
+ * that is.
+ *
+ * It takes about 150 kilobytes of stack.
+ *
+ * @param domain The PDDL domain, ended by NUL.
+ * @param problem A PDDL problem of that domain, ended by NUL.
+ * @param config A configuration from critreg_planner_config_init(), to be changed.
+ * @return CRITREG_OK; else as critreg_check_pddl(), which has words for it, and nothing
+ * is changed.
+ */
+critreg_status critreg_planner_measure(const char *domain,
+                                       const char *problem,
+                                       struct critreg_planner_config *config);
 
 /**
  * The domain text of picking the stick with one button on the table, the action

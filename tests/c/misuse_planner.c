@@ -165,6 +165,28 @@ static void sizes_of_sets(void)
     EXPECT_TRUE(critreg_planner_size(&config) == 0);
 }
 
+/* What texts need is what is asked for, and enough. */
+static void measured(void)
+{
+    critreg_planner_config config = walk_config(), wrong;
+    static const double speed[2] = {0.0, 1.0};
+    critreg_planner *planner = NULL;
+
+    OK(critreg_planner_measure(WALK, TO_B, &config));
+    EXPECT_TRUE(config.pddl_bytes == strlen(WALK) + strlen(TO_B) + 2);
+    EXPECT_TRUE(config.operators == 6 && config.atoms == 4 && config.facts == 1);
+    EXPECT_TRUE(config.state_len == STATE && config.max_tries == 10);
+    OK(critreg_planner_init(memory, sizeof memory, WALK, TO_B, &config, &planner));
+    OK(critreg_planner_set_ranges(planner, "Walk", speed, 1));
+    expect_plan(planner);
+    wrong = config;
+    EXPECT(CRITREG_SYNTAX_ERROR, critreg_planner_measure("", TO_B, &wrong));
+    EXPECT_TRUE(memcmp(&wrong, &config, sizeof config) == 0);
+    EXPECT(CRITREG_NULL_POINTER, critreg_planner_measure(WALK, TO_B, NULL));
+    wrong.struct_size = 0;
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_planner_measure(WALK, TO_B, &wrong));
+}
+
 /* Every function refuses what is no planner. */
 static void no_handle(critreg_planner *planner, critreg_status expected)
 {
@@ -240,6 +262,7 @@ int main(void)
     wrong_configurations();
     wrong_texts();
     sizes_of_sets();
+    measured();
     wrong_handles();
     wrong_ranges();
     return summary();

@@ -108,11 +108,11 @@ mod types;
 mod write;
 
 pub use formula::MAX_BOUND;
-pub use ground::Grounding;
+pub use ground::{Grounding, Missing};
 pub use problem::{Fact, MAX_GOAL, MAX_OBJECTS, Problem};
 pub use schema::{
     Action, Domain, MAX_ACTIONS, MAX_CONSTANTS, MAX_FUNCTIONS, MAX_LITERALS, MAX_PARAMETERS,
     MAX_PREDICATES, MAX_TERMS, MAX_TYPES, MAX_VARIABLES, Object, Predicate, Variable,
 };
 pub use types::Type;
-pub use write::GroundText;
+pub use write::{GroundText, MissingText};

@@ -116,6 +116,11 @@ impl<'t> Problem<'t> {
         atoms.take_while(move |atom| usize::from(atom.predicate.0) < predicates)
     }
 
+    /// How many [`Fact`]s it takes memory for.
+    pub fn fact_count(&self) -> usize {
+        self.facts.len()
+    }
+
     /// Whether an atom holds initially.
     pub fn holds_initially(&self, atom: &GroundAtom) -> bool {
         self.fact(atom).is_some()

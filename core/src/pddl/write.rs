@@ -1,6 +1,7 @@
 //! Writes domains, problems and what is ground as PDDL.
 
 use super::formula::{Kind, MAX_BOUND, Term, View};
+use super::ground::Missing;
 use super::problem::Problem;
 use super::schema::{Action, Domain, Object, Variable};
 use super::types::Type;
@@ -43,6 +44,55 @@ impl<'t> Problem<'t> {
             problem: self,
             objects: operator.objects,
         }
+    }
+}
+
+/// Why an atom of a goal cannot be reached, in words; `Display` writes it.
+#[derive(Clone, Copy, Debug)]
+pub struct MissingText<'a, 't> {
+    missing: Missing,
+    problem: &'a Problem<'t>,
+}
+
+impl<'t> Problem<'t> {
+    /// Why an atom of the goal cannot be reached, as "nothing reaches (at a roof): Climb
+    /// needs (ladder ?from roof)".
+    pub fn missing_text(&self, missing: Missing) -> MissingText<'_, 't> {
+        MissingText {
+            missing,
+            problem: self,
+        }
+    }
+}
+
+impl Display for MissingText<'_, '_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let domain = self.problem.domain();
+        write!(
+            f,
+            "nothing reaches {}",
+            self.problem.atom_text(&self.missing.atom)
+        )?;
+        let action = self.missing.action;
+        let action = action.and_then(|id| domain.actions().get(usize::from(id.0)));
+        let Some(action) = action else {
+            return f.write_str(", as no action adds it");
+        };
+        let Some((place, binding)) = self.missing.condition else {
+            return write!(f, ", as {} never becomes possible", action.name);
+        };
+        write!(f, ", as {} needs", action.name)?;
+        let mut scope = Vec::new();
+        for (index, parameter) in (0..).zip(domain.parameters(action)) {
+            let object = binding.get(index);
+            let object = object.and_then(|id| self.problem.objects().get(usize::from(id.0)));
+            // A scope has room for all parameters of an action.
+            let _ = scope.push(Variable {
+                name: object.map_or(parameter.name, |object| object.name),
+                ..*parameter
+            });
+        }
+        domain.writer().write(f, place, &mut scope)
     }
 }
 
@@ -89,15 +139,10 @@ impl Display for Problem<'_> {
             }
         }
         f.write_str(")\n  (:goal")?;
-        let view = self.goal();
         let writer = Writer {
-            view,
-            type_name: &|type_id| self.type_name(type_id).unwrap_or(NAMELESS),
-            predicate: &|id| domain.predicate_name(id),
-            object: &|term| match term {
-                Term::Object(id) => self.objects().get(usize::from(id.0)).map(|o| o.name),
-                _ => None,
-            },
+            view: self.goal(),
+            domain,
+            problem: Some(self),
         };
         writer.write(f, 0, &mut Vec::new())?;
         f.write_str(if self.minimizes_cost() {
@@ -141,7 +186,15 @@ impl Display for Domain<'_> {
     }
 }
 
-impl Domain<'_> {
+impl<'t> Domain<'t> {
+    fn writer(&self) -> Writer<'_, 't> {
+        Writer {
+            view: self.view(),
+            domain: self,
+            problem: None,
+        }
+    }
+
     fn type_name(&self, TypeId(place): TypeId) -> &str {
         let declared = self.types().get(usize::from(place));
         declared.map_or(NAMELESS, |t| t.name)
@@ -171,18 +224,6 @@ impl Domain<'_> {
             self.write_typed(f, parameter.name, parameter.type_id)?;
         }
         f.write_str(")")?;
-        let writer = Writer {
-            view: self.view(),
-            type_name: &|type_id| self.type_name(type_id),
-            predicate: &|id| self.predicate_name(id),
-            object: &|term| match term {
-                Term::Constant(place) => {
-                    let constant = self.constants().get(usize::from(place));
-                    constant.map(|c| c.name)
-                }
-                _ => None,
-            },
-        };
         for (keyword, place) in [
             (":precondition", action.precondition),
             (":effect", action.effect),
@@ -193,7 +234,7 @@ impl Domain<'_> {
                 // A scope has room for all parameters of an action.
                 let _ = scope.push(*parameter);
             }
-            writer.write(f, place, &mut scope)?;
+            self.writer().write(f, place, &mut scope)?;
         }
         f.write_str(")")
     }
@@ -210,18 +251,30 @@ impl Domain<'_> {
     }
 }
 
-/// The names of what has one.
-type Name<'a, T> = &'a dyn Fn(T) -> &'a str;
-
-/// Writes formulas.
+/// Writes formulas, of a domain or of a problem.
 struct Writer<'a, 't> {
     view: View<'a, 't>,
-    type_name: Name<'a, TypeId>,
-    predicate: Name<'a, PredicateId>,
-    object: &'a dyn Fn(Term) -> Option<&'a str>,
+    domain: &'a Domain<'t>,
+    problem: Option<&'a Problem<'t>>,
 }
 
 impl<'t> Writer<'_, 't> {
+    fn type_name(&self, type_id: TypeId) -> &str {
+        match self.problem {
+            Some(problem) => problem.type_name(type_id).unwrap_or(NAMELESS),
+            None => self.domain.type_name(type_id),
+        }
+    }
+
+    fn object(&self, term: Term) -> Option<&str> {
+        let object = match term {
+            Term::Constant(place) => self.domain.constants().get(usize::from(place)),
+            Term::Object(id) => self.problem?.objects().get(usize::from(id.0)),
+            Term::Variable(_) => None,
+        };
+        object.map(|object| object.name)
+    }
+
     fn write(
         &self,
         f: &mut Formatter<'_>,
@@ -251,20 +304,20 @@ impl<'t> Writer<'_, 't> {
                         f,
                         "{} - {} ",
                         variable.name,
-                        (self.type_name)(variable.type_id)
+                        self.type_name(variable.type_id)
                     )?;
                     let _ = scope.push(*variable);
                 }
                 f.write_str(")")?;
             }
             Kind::Atom(predicate) => {
-                self.write_words(f, (self.predicate)(predicate), place, scope)?
+                self.write_words(f, self.domain.predicate_name(predicate), place, scope)?
             }
             Kind::Equal => self.write_words(f, "=", place, scope)?,
             Kind::Increase(amount) => write!(f, "increase (total-cost) {amount}")?,
             Kind::IncreaseBy(function) => {
                 f.write_str("increase (total-cost) (")?;
-                self.write_words(f, (self.predicate)(function), place, scope)?;
+                self.write_words(f, self.domain.predicate_name(function), place, scope)?;
                 f.write_str(")")?;
             }
         }
@@ -287,7 +340,7 @@ impl<'t> Writer<'_, 't> {
         for term in node.map_or(&[][..], |node| self.view.terms(node)) {
             let name = match term {
                 Term::Variable(place) => scope.get(usize::from(*place)).map(|v| v.name),
-                term => (self.object)(*term),
+                term => self.object(*term),
             };
             write!(f, " {}", name.unwrap_or(NAMELESS))?;
         }

@@ -25,6 +25,12 @@ pub struct Metrics<'m> {
     /// Sequences that were not extended at first, as enough others lead to the same
     /// abstract state: see [`Config::skeletons_per_state`].
     pub repeated: u32,
+    /// Sequences that were left out because they begin with one that cannot work: a step
+    /// without parameters, after none but such, whose controller takes no action.
+    pub dead: u32,
+    /// Skeletons that were given up because a step with parameters had used its tries:
+    /// [`Config::max_tries`].
+    pub tries_spent: u32,
     /// Draws that ended with the sampler knowing that no parameters work.
     pub empty_draws: u32,
     /// Draws in which the sampler knew where to draw.

@@ -171,6 +171,7 @@ impl<W, S, G> Planner<'_, W, S, G> {
             initial,
             goal: task.goal,
             config: &self.config,
+            dead: None,
         };
         loop {
             let spent = metrics.spent().skeletons >= self.config.max_skeletons;
@@ -189,7 +190,12 @@ impl<W, S, G> Planner<'_, W, S, G> {
                 .fold(task.initial, |state, o| o.apply(state));
             refiner.goal = task.reached(end).unwrap_or(task.goal);
             match refiner.refine(skeleton, &mut samples(), steps, metrics)? {
-                Refinement::Failed => search.widen(),
+                Refinement::Failed => {
+                    if let Some(length) = refiner.dead {
+                        search.bury(length);
+                    }
+                    search.widen();
+                }
                 Refinement::PatienceSpent => {}
                 Refinement::SamplesSpent => return Ok(Conclusion::SamplesSpent),
                 Refinement::TooLong => return Ok(Conclusion::Full("steps of a plan")),

@@ -58,6 +58,19 @@ pub struct Refiner<'a, W: World<N>, S, const N: usize = 2> {
     pub goal: AtomSet<N>,
     /// The limits.
     pub config: &'a Config,
+    /// If a skeleton failed at a step without parameters, after none but such, whose
+    /// controller took no action: how many steps these are. No skeleton that begins with
+    /// them can be refined.
+    pub dead: Option<usize>,
+}
+
+/// What came of a try of a step.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tried {
+    Works,
+    Fails,
+    /// Its controller took no action.
+    NoAction,
 }
 
 impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
@@ -77,7 +90,8 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
             return Ok(Refinement::TooLong);
         };
         self.prepare(skeleton, steps)?;
-        let mut at = 0;
+        self.dead = None;
+        let (mut at, mut tried_out) = (0, false);
         while let Some(operator) = skeleton.get(at) {
             let Some((done, [step, ..])) = steps.split_at_mut_checked(at) else {
                 break;
@@ -97,14 +111,24 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
                 advised: metrics.advised.is_none(),
             };
             let actions = done.iter().map(|step| u64::from(step.actions)).sum();
-            if self.try_step(&draw, step, actions, rng, metrics)? {
+            let tried = self.try_step(&draw, step, actions, rng, metrics)?;
+            if tried == Tried::Works {
                 at += 1;
                 continue;
             }
+            let is_fixed = |step: &Step<W::State, N>| step.max_tries == 1;
+            if tried == Tried::NoAction && is_fixed(step) && done.iter().all(is_fixed) {
+                self.dead = Some(at + 1);
+            }
             metrics.fail(operator.operator);
+            // More tries of a step with parameters might have helped.
+            tried_out |= step.max_tries > 1;
             match step_back(steps, at) {
                 Some(earlier) => at = earlier,
-                None => return Ok(Refinement::Failed),
+                None => {
+                    metrics.tries_spent += u32::from(tried_out);
+                    return Ok(Refinement::Failed);
+                }
             }
         }
         Ok(Refinement::Done)
@@ -133,8 +157,7 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
         Ok(())
     }
 
-    /// Draws parameters of a step and tries them, after so many actions. Whether
-    /// they work.
+    /// Draws parameters of a step and tries them, after so many actions.
     fn try_step<R: Rng>(
         &mut self,
         draw: &Draw<'_, W::State, N>,
@@ -142,7 +165,7 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
         actions_before: u64,
         rng: &mut R,
         metrics: &mut Metrics<'_>,
-    ) -> Result<bool, W::Error> {
+    ) -> Result<Tried, W::Error> {
         step.tries = draw.attempt;
         step.parameters = match self.sampler.sample(draw, rng)? {
             Drawn::Parameters(parameters) => parameters,
@@ -154,12 +177,12 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
                 step.tries = step.max_tries;
                 metrics.empty_draws += 1;
                 metrics.blame(reason);
-                return Ok(false);
+                return Ok(Tried::Fails);
             }
             Drawn::Nothing => {
                 // It counts, so that tries without parameters end, too.
                 metrics.samples += 1;
-                return Ok(false);
+                return Ok(Tried::Fails);
             }
         };
         metrics.samples += 1;
@@ -170,15 +193,18 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
             .execute(operator, &step.parameters, before, after)?;
         let actions = u64::from(step.actions);
         metrics.actions += actions;
-        if actions == 0 || actions_before + actions > u64::from(self.config.max_actions) {
-            return Ok(false);
+        if actions == 0 {
+            return Ok(Tried::NoAction);
+        }
+        if actions_before + actions > u64::from(self.config.max_actions) {
+            return Ok(Tried::Fails);
         }
         for atom in step.necessary.places() {
             if !self.world.holds(atom, after)? {
-                return Ok(false);
+                return Ok(Tried::Fails);
             }
         }
-        Ok(true)
+        Ok(Tried::Works)
     }
 }
 

@@ -25,8 +25,13 @@ pub struct SearchNode<const N: usize = 2> {
     operator: u16,
     /// Its length; the root, alone, has none.
     length: u8,
-    /// If it is the first of its abstract state to be extended: how many were, up to 255.
+    /// If it is the first of its abstract state to be extended: how many were, up to 254.
+    /// 255 if the sequence cannot work.
     extended: u8,
+}
+
+impl<const N: usize> SearchNode<N> {
+    const DEAD: u8 = u8::MAX;
 }
 
 /// Bits of a lot that are not drawn.
@@ -67,6 +72,8 @@ pub struct Search<'m, T, const N: usize = 2> {
     visited: Visited<'m>,
     /// How many sequences to one abstract state are extended.
     bound: u32,
+    /// The node of the skeleton that was found last.
+    last: u32,
     lots: T,
     /// The lots as they were in the beginning.
     all_lots: T,
@@ -96,6 +103,7 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
             open: OpenList::new(memory.open),
             visited: Visited::new(memory.visited),
             bound: config.skeletons_per_state,
+            last: 0,
             all_lots: lots.clone(),
             lots,
             path: Vec::new(),
@@ -140,11 +148,15 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
             let Some(node) = self.node(waiting.node) else {
                 break;
             };
-            self.follow(node)?;
+            if !self.follow(node)? {
+                metrics.dead += 1;
+                continue;
+            }
             if !self.is_kept(guide, metrics) {
                 continue;
             }
             if self.task.reached(node.state).is_some() {
+                self.last = waiting.node;
                 return Ok(Some(self.skeleton()));
             }
             if usize::from(node.length) >= self.config.max_length.min(MAX_SKELETON) {
@@ -217,7 +229,7 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
     /// Whether to extend the sequence at hand: if not enough others to the same abstract
     /// state were, or if it costs less than the first of them.
     fn is_wanted(&mut self, place: u32, node: SearchNode<N>) -> bool {
-        if self.bound > u8::MAX.into() {
+        if self.bound >= SearchNode::<N>::DEAD.into() {
             return true;
         }
         let nodes = self.nodes.as_mut_slice();
@@ -236,19 +248,25 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
                 let extended = nodes.get(first as usize).map_or(0, |first| first.extended);
                 let cheaper = cost_to(self.task.operators, nodes, place)
                     < cost_to(self.task.operators, nodes, first);
-                if cheaper {
+                let is_dead = extended == SearchNode::<N>::DEAD;
+                if cheaper || is_dead {
                     *slot = place.saturating_add(1);
                     if let Some(own) = nodes.get_mut(place as usize) {
-                        own.extended = extended;
+                        own.extended = if is_dead { 0 } else { extended };
                     }
+                    place
                 } else if u32::from(extended) >= self.bound {
                     return false;
+                } else {
+                    first
                 }
-                if cheaper { place } else { first }
             }
         };
         if let Some(first) = nodes.get_mut(first as usize) {
-            first.extended = first.extended.saturating_add(1);
+            first.extended = first
+                .extended
+                .saturating_add(1)
+                .min(SearchNode::<N>::DEAD - 1);
         }
         true
     }
@@ -262,16 +280,35 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
         self.nodes.as_slice().get(place as usize).copied()
     }
 
-    /// Makes the sequence of a node the one at hand.
-    fn follow(&mut self, mut node: SearchNode<N>) -> Result<(), Error> {
+    /// Makes the sequence of a node the one at hand. Whether no part of it is dead.
+    fn follow(&mut self, mut node: SearchNode<N>) -> Result<bool, Error> {
         self.path.clear();
+        let mut alive = true;
         while node.length > 0 {
+            alive &= node.extended != SearchNode::<N>::DEAD;
             let pushed = self.path.push(node.operator);
             pushed.map_err(|_| Error::CapacityExceeded("operators of a plan skeleton"))?;
             node = self.node(node.parent).unwrap_or_default();
         }
         self.path.reverse();
-        Ok(())
+        Ok(alive)
+    }
+
+    /// Notes that the first so many operators of a skeleton, the one that was found last,
+    /// cannot work: so nothing that begins with them can. Without a bound of sequences to
+    /// an abstract state nothing is noted, so that the search stays as it was recorded.
+    pub fn bury(&mut self, length: usize) {
+        if self.config.skeletons_per_state == u32::MAX {
+            return;
+        }
+        let mut place = self.last;
+        while let Some(node) = self.nodes.as_mut_slice().get_mut(place as usize) {
+            if usize::from(node.length) <= length {
+                node.extended = SearchNode::<N>::DEAD;
+                return;
+            }
+            place = node.parent;
+        }
     }
 
     /// The sequence at hand.

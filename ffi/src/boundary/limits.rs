@@ -36,11 +36,11 @@ pub const CRITREG_STEP_BYTES: usize = 5_376;
 
 /// Bytes of a planner that do not depend on its capacity, apart from pointers; for
 /// CRITREG_PLANNER_WORDS.
-pub const CRITREG_PLANNER_FIXED_BYTES: usize = 30_208;
+pub const CRITREG_PLANNER_FIXED_BYTES: usize = 30_592;
 
 /// Pointers of a planner that do not depend on its capacity; for
 /// CRITREG_PLANNER_WORDS.
-pub const CRITREG_PLANNER_POINTERS: usize = 3_152;
+pub const CRITREG_PLANNER_POINTERS: usize = 3_168;
 
 /// Bytes of a planner for every word of sets beyond two; for CRITREG_PLANNER_WORDS_OF.
 pub const CRITREG_PLANNER_WORD_BYTES: usize = 1_320;

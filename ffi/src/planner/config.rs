@@ -107,7 +107,8 @@ pub struct critreg_planner_config {
     pub facts: u32,
     /// How many sequences that lead to one abstract state are extended before all others
     /// are; more only if a skeleton cannot be refined, or nothing else is left. Where no
-    /// action has parameters it is 1. Default 4; 0 is no bound.
+    /// action has parameters it is 1. Default 4. 0 is no bound: then a beginning of a
+    /// skeleton that cannot work is tried again in others, too.
     pub skeletons_per_state: u32,
     /// Always 0.
     pub reserved: u32,
@@ -117,6 +118,9 @@ pub struct critreg_planner_config {
 unsafe impl Versioned for critreg_planner_config {
     const FIRST: usize = size_of::<critreg_planner_config>();
 }
+
+/// Links between atoms and an operator, on the average at most.
+pub(crate) const LINKS_OF_OPERATOR: usize = 8;
 
 /// What a planner has room for.
 #[derive(Clone, Copy, Debug)]
@@ -133,7 +137,7 @@ pub(crate) struct PlannerCapacity {
 impl PlannerCapacity {
     /// Links between atoms and operators.
     pub(crate) const fn links(self) -> usize {
-        self.operators.saturating_mul(8)
+        self.operators.saturating_mul(LINKS_OF_OPERATOR)
     }
 
     /// Estimates of the heuristic to remember.

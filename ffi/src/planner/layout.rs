@@ -195,7 +195,10 @@ impl<const N: usize> SetParts<N> {
             }
             let operators = self.operators.fill(memory, GroundOperator::NONE);
             let operators = ground(grounding, operators, capacity)?;
+            // That it is too much work to say is no reason to refuse the texts.
+            let missing = grounding.missing().unwrap_or(None);
             Ok(SetTables {
+                missing,
                 grounding,
                 operators,
                 estimates: self.estimates.fill(memory, Cached::default()),

@@ -6,6 +6,7 @@ use crate::planner::callbacks::critreg_callbacks;
 use crate::planner::handle::{Inner, critreg_planner, with_planner};
 use crate::planner::metrics::{critreg_metrics, verdict};
 use crate::planner::tables::{Numbers, SetTables, Tables, with_sets};
+use crate::planner::why::Reason;
 use crate::planner::world::{Advisor, Draws, Program, Sequence};
 use core::ffi::c_void;
 use critreg_core::Error;
@@ -60,6 +61,7 @@ pub unsafe extern "C" fn critreg_plan(
             inner.plan_length = 0;
             handle.culprit.set(None);
             handle.metrics.set(critreg_metrics::NONE);
+            handle.reason.set(Reason::Nothing);
             let callbacks = critreg_callbacks::read(callbacks)?;
             let tables = &mut inner.tables;
             let state_len = tables.initial.len();
@@ -71,6 +73,7 @@ pub unsafe extern "C" fn critreg_plan(
             let result = plan(handle, inner, &callbacks, user_data, seed);
             if let Err(Failure::Stopped(..)) = result {
                 handle.metrics.set(critreg_metrics::STOPPED);
+                handle.reason.set(Reason::Stopped);
             }
             result?;
             if let Some(length) = length {
@@ -209,6 +212,8 @@ impl Call<'_> {
         }
         let metrics = critreg_metrics::new(planned.conclusion, &planned.metrics, program.names);
         self.handle.metrics.set(metrics);
+        let reason = Reason::new(&planned, sets.missing, &self.settings);
+        self.handle.reason.set(reason);
         Ok((planned.conclusion, planned.steps.len()))
     }
 }

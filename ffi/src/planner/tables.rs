@@ -8,7 +8,7 @@ use crate::planner::names::Names;
 use core::cell::Cell;
 use core::ffi::c_char;
 use critreg_core::domain::MAX_PARAMETERS;
-use critreg_core::pddl::{Grounding, Problem};
+use critreg_core::pddl::{Grounding, Missing, Problem};
 use critreg_core::plan::{Cached, Progress, SearchNode, Step, Waiting};
 use critreg_core::task::GroundOperator;
 
@@ -59,6 +59,8 @@ pub(crate) struct Tables {
 pub(crate) struct SetTables<const N: usize> {
     pub(crate) grounding: &'static Grounding<'static, 'static, N>,
     pub(crate) operators: &'static [GroundOperator<N>],
+    /// What is missing for the goal, if it cannot be reached.
+    pub(crate) missing: Option<Missing>,
     pub(crate) estimates: &'static mut [Cached<N>],
     pub(crate) nodes: &'static mut [SearchNode<N>],
     pub(crate) steps: &'static mut [Step<Numbers, N>],

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 28] = [
+const SOURCES: [&str; 29] = [
     "boundary/status.rs",
     "boundary/limits.rs",
     "boundary/precision.rs",
@@ -30,6 +30,7 @@ const SOURCES: [&str; 28] = [
     "planner/planning.rs",
     "planner/step.rs",
     "planner/metrics.rs",
+    "planner/why.rs",
     "planner/inspection.rs",
     "check.rs",
     "stick_button/environment.rs",

@@ -30,10 +30,10 @@ impl Work {
 
 /// The objects of variables.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Binding([Option<ObjectId>; MAX_BOUND]);
+pub(in crate::pddl) struct Binding([Option<ObjectId>; MAX_BOUND]);
 
 impl Binding {
-    pub(super) fn get(&self, place: u8) -> Option<ObjectId> {
+    pub(in crate::pddl) fn get(&self, place: u8) -> Option<ObjectId> {
         self.0.get(usize::from(place)).copied().flatten()
     }
 
@@ -43,7 +43,7 @@ impl Binding {
     }
 
     /// The same, with an object for one more variable.
-    fn with(mut self, place: u8, object: ObjectId) -> Binding {
+    pub(super) fn with(mut self, place: u8, object: ObjectId) -> Binding {
         if let Some(slot) = self.0.get_mut(usize::from(place)) {
             *slot = Some(object);
         }

@@ -3,10 +3,12 @@
 //! | file | what it does |
 //! |---|---|
 //! | `choices` | which objects an action can have: a join on what holds, bounded by work |
+//! | `missing` | why an atom of the goal cannot be reached |
 //! | `reach` | which atoms can hold at all, and which negative ones are asked for |
 //! | `variants` | conditions with alternatives and conditional effects, split into operators |
 
 mod choices;
+mod missing;
 mod reach;
 mod variants;
 
@@ -17,8 +19,10 @@ use crate::error::Error;
 use crate::task::{
     Arguments, AtomSet, Atoms, GroundAtom, GroundOperator, ObjectId, OperatorId, PredicateId,
 };
-use choices::{Binding, Work};
+pub(super) use choices::Binding;
+use choices::Work;
 use heapless::Vec;
+pub use missing::Missing;
 use variants::{Variant, Variants};
 
 /// A problem in terms of ground atoms: what a search takes.
