@@ -117,8 +117,10 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
     fn begin(&mut self, metrics: &mut Metrics<'_>) -> Result<(), Error> {
         self.nodes.clear();
         self.open.clear();
-        self.visited.clear();
         self.bound = self.config.skeletons_per_state;
+        if self.bound < u32::MAX {
+            self.visited.clear();
+        }
         self.lots = self.all_lots.clone();
         let root = SearchNode {
             state: self.task.initial,

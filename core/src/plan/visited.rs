@@ -20,8 +20,8 @@ pub(super) enum Visit<'v> {
 }
 
 impl<'m> Visited<'m> {
+    /// A table that is to be cleared before it is used.
     pub(super) fn new(places: &'m mut [u32]) -> Self {
-        places.fill(0);
         Visited { places }
     }
 

@@ -104,8 +104,15 @@ impl<'m, const N: usize> Relaxation<'m, N> {
 
     /// Operators cost what they cost in the task.
     pub(super) fn reset_costs(&mut self) {
-        for (progress, operator) in self.progress.iter_mut().zip(self.task.operators) {
-            progress.cost = operator.cost;
+        if self.weighted {
+            for (progress, operator) in self.progress.iter_mut().zip(self.task.operators) {
+                progress.cost = operator.cost;
+            }
+        } else {
+            // Without a look at the operators, which are spread over memory.
+            for progress in self.progress.iter_mut() {
+                progress.cost = 1;
+            }
         }
     }
 
