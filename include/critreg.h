@@ -51,7 +51,7 @@
  * bits, in a library without CRITREG_ALGORITHM1. The macros of
  * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
  *
- * A planner with the default capacities takes 231088 bytes, and 264 more for every
+ * A planner with the default capacities takes 299688 bytes, and 264 more for every
  * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
  *
  *
@@ -383,39 +383,47 @@
  * failed most often, and which reason of the program's was given most often.
  * c_examples/plan_tasks.c shows all of it.
  *
- * The PDDL that is understood is typed STRIPS with constants and equality:
+ * The PDDL that is understood is that of classical planning, STRIPS, ADL and the costs
+ * of actions:
  *
- *     domain     = "(" "define" "(" "domain" name ")" [ requires ]
- *                  [ "(" ":types" { typed-name } ")" ]
- *                  [ "(" ":constants" { typed-name } ")" ]
- *                  [ "(" ":predicates" { "(" name { typed-var } ")" } ")" ]
- *                  { action } ")" ;              (* ";" starts a comment *)
- *     action     = "(" ":action" name ":parameters" "(" { typed-var } ")"
- *                  [ ":precondition" condition ] [ ":effect" effect ] ")" ;
- *     problem    = "(" "define" "(" "problem" name ")"
- *                  "(" ":domain" name ")" [ requires ]
- *                  [ "(" ":objects" { typed-name } ")" ]
- *                  "(" ":init" { atom } ")" "(" ":goal" goal ")" ")" ;
- *     requires   = "(" ":requirements" { ":strips" | ":typing" | ":equality"
- *                                      | ":negative-preconditions" } ")" ;
- *     condition  = "(" ")" | "(" "and" { condition } ")" | atom | equal
- *                | "(" "not" equal ")" ;
- *     effect     = "(" ")" | "(" "and" { effect } ")" | atom
- *                | "(" "not" atom ")" ;
- *     goal       = "(" ")" | "(" "and" { goal } ")" | atom ;
+ *     domain     = "(" "define" "(" "domain" name ")" { section | action } ")" ;
+ *     section    = "(" ":requirements" { keyword } ")"
+ *                | "(" ":types" { typed-name } ")" | "(" ":constants" { typed-name } ")"
+ *                | "(" ":predicates" { "(" name { typed-var } ")" } ")"
+ *                | "(" ":functions" { "(" name { typed-var } ")" [ "-" type ] } ")" ;
+ *     action     = "(" ":action" name { ":parameters" "(" { typed-var } ")"
+ *                | ":precondition" condition | ":effect" effect } ")" ;
+ *     problem    = "(" "define" "(" "problem" name ")" { part } ")" ;
+ *     part       = "(" ":domain" name ")" | "(" ":requirements" { keyword } ")"
+ *                | "(" ":objects" { typed-name } ")" | "(" ":init" { fact } ")"
+ *                | "(" ":goal" condition ")"
+ *                | "(" ":metric" "minimize" "(" "total-cost" | "total-time" ")" ")" ;
+ *     fact       = atom | "(" "not" atom ")" | "(" "=" atom number ")" ;
+ *     condition  = "(" ")" | "(" "and" { condition } ")" | "(" "or" { condition } ")"
+ *                | "(" "not" condition ")" | "(" "imply" condition condition ")"
+ *                | "(" "forall" "(" { typed-var } ")" condition ")"
+ *                | "(" "exists" "(" { typed-var } ")" condition ")"
+ *                | "(" "=" term term ")" | atom ;
+ *     effect     = "(" ")" | "(" "and" { effect } ")" | "(" "not" atom ")" | atom
+ *                | "(" "forall" "(" { typed-var } ")" effect ")"
+ *                | "(" "when" condition effect ")"
+ *                | "(" "increase" "(" "total-cost" ")" ( number | atom ) ")" ;
  *     atom       = "(" name { term } ")" ;
- *     equal      = "(" "=" term term ")" ;
  *     term       = name | variable ;             (* names only in problems *)
- *     typed-name = name [ "-" name ] ;           (* "a b - c": both are c *)
- *     typed-var  = variable [ "-" name ] ;
+ *     typed-name = name [ "-" type ] ;           (* "a b - c": both are c *)
+ *     typed-var  = variable [ "-" type ] ;
+ *     type       = name | "(" "either" { name } ")" ;
  *
- * Case does not matter. Everything else of PDDL is refused by name, at its line and
- * column. Atoms of predicates that no action changes are decided when the planner is
- * made, and not asked for.
+ * ";" starts a comment. Sections may stand in any order; case does not matter. Costs are
+ * whole numbers, and count if the problem has a metric. Everything else of PDDL is refused
+ * by name, at its line and column. Atoms of predicates that no action changes are decided
+ * when the planner is made, and not asked for; nor are negations, nor atoms that no
+ * action can reach. An action with alternatives in its precondition or with conditional
+ * effects counts as several ground operators, at most 64.
  *
- * Limits: 32 types, 16 constants, 32 predicates, 32 actions with 4 parameters each
- * and 256 preconditions and effects in all; 64 objects, 512 atoms of :init, 16 of
- * the goal, 128 ground atoms that actions change. The rest is in
+ * Limits: 64 types, constants, predicates and actions, with 10 arguments each and 192 of
+ * all predicates and of all actions together; 768 words such as "and", preconditions and
+ * effects in all; 255 objects, 128 words and atoms of the goal. The rest is in
  * critreg_planner_config.
  *
  *
@@ -480,20 +488,35 @@
 
 /**
  * How many uint64_t make the memory of a planner with room for so many bytes of
- * PDDL, ground operators, nodes of the search, steps of a plan and numbers of a
- * state, for static arrays; see critreg_planner_config.
+ * PDDL, ground operators, nodes of the search, ground atoms, atoms of :init, steps of a
+ * plan and numbers of a state, for static arrays; see critreg_planner_config.
  * critreg_planner_size() tells the exact number of bytes.
  */
-#define CRITREG_PLANNER_WORDS_FOR(pddl_bytes, operators, nodes, length,        \
-                                  state_len)                                   \
+#define CRITREG_PLANNER_WORDS_OF(pddl_bytes, operators, nodes, atoms, facts,   \
+                                 length, state_len)                            \
     ((CRITREG_PLANNER_FIXED_BYTES + CRITREG_PLANNER_POINTERS * sizeof(void *)  \
+      + CRITREG_PLANNER_WORD_BYTES * CRITREG_MORE_WORDS(atoms)                 \
       + 2 * (size_t)(pddl_bytes)                                               \
-      + (size_t)(operators) * CRITREG_OPERATOR_BYTES                           \
-      + (size_t)(nodes) * CRITREG_NODE_BYTES                                   \
+      + (size_t)(operators)                                                    \
+            * (CRITREG_OPERATOR_BYTES + 24 * CRITREG_MORE_WORDS(atoms))        \
+      + (size_t)(nodes)                                                        \
+            * (CRITREG_NODE_BYTES + 9 * CRITREG_MORE_WORDS(atoms))             \
+      + (size_t)(facts) * CRITREG_FACT_BYTES                                   \
       + (size_t)(length)                                                       \
-            * (CRITREG_PLAN_STEP_BYTES                                         \
+            * (CRITREG_PLAN_STEP_BYTES + 8 * CRITREG_MORE_WORDS(atoms)         \
                + CRITREG_PLAN_STEP_POINTERS * sizeof(void *))                  \
       + 8 * ((size_t)(length) + 1) * (size_t)(state_len) + 7) / 8)
+
+/** How many more words than two a set of so many atoms has. */
+#define CRITREG_MORE_WORDS(atoms)                                              \
+    ((size_t)((atoms) <= 128 ? 0 : (atoms) <= 512 ? 6 : 14))
+
+/** The same with room for as many atoms as a configuration has unless it tells. */
+#define CRITREG_PLANNER_WORDS_FOR(pddl_bytes, operators, nodes, length,        \
+                                  state_len)                                   \
+    CRITREG_PLANNER_WORDS_OF(pddl_bytes, operators, nodes,                     \
+                             CRITREG_DEFAULT_ATOMS, CRITREG_DEFAULT_FACTS,     \
+                             length, state_len)
 
 /**
  * The same with the other capacities as a configuration has them unless it tells.
@@ -581,34 +604,44 @@
  * Bytes of a planner that do not depend on its capacity, apart from pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLANNER_FIXED_BYTES 11776
+#define CRITREG_PLANNER_FIXED_BYTES 30592
 
 /**
  * Pointers of a planner that do not depend on its capacity; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLANNER_POINTERS 1040
+#define CRITREG_PLANNER_POINTERS 3168
+
+/**
+ * Bytes of a planner for every word of sets beyond two; for CRITREG_PLANNER_WORDS_OF.
+ */
+#define CRITREG_PLANNER_WORD_BYTES 1320
 
 /**
  * Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_OPERATOR_BYTES 76
+#define CRITREG_OPERATOR_BYTES 92
 
 /**
  * Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_NODE_BYTES 42
+#define CRITREG_NODE_BYTES 46
+
+/**
+ * Bytes of an atom or number of :init; for CRITREG_PLANNER_WORDS.
+ */
+#define CRITREG_FACT_BYTES 20
 
 /**
  * Bytes of a step of the longest plan, apart from its state and pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLAN_STEP_BYTES 112
+#define CRITREG_PLAN_STEP_BYTES 136
 
 /**
  * Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLAN_STEP_POINTERS 7
+#define CRITREG_PLAN_STEP_POINTERS 13
 
 /**
  * Most parameters of an action: an array for theta of this length fits every
@@ -790,7 +823,7 @@
 /**
  * Most objects of an atom, and most parameters of a PDDL action.
  */
-#define CRITREG_MAX_ARGUMENTS 4
+#define CRITREG_MAX_ARGUMENTS 10
 
 /**
  * Most operators in a plan, and in a sequence of them.
@@ -817,6 +850,21 @@
  * Nodes of the search that a planner has room for unless the configuration tells.
  */
 #define CRITREG_DEFAULT_NODES 4096
+
+/**
+ * Ground atoms that a planner has room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_ATOMS 128
+
+/**
+ * Most ground atoms of a planner.
+ */
+#define CRITREG_MAX_ATOMS 1024
+
+/**
+ * Atoms and numbers of :init that a planner has room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_FACTS 512
 
 /**
  * Longest domain or problem text of a planner in bytes, with its NUL.
@@ -877,6 +925,63 @@
  * critreg_planner_failures() and critreg_planner_reasons().
  */
 #define CRITREG_STOPPED 7
+
+/**
+ * For critreg_planner_why(): there is a plan, or nothing was planned yet.
+ */
+#define CRITREG_WHY_NOTHING 0
+
+/**
+ * An atom of the goal cannot be reached, whatever is done: the sentence names it, and
+ * what is missing.
+ */
+#define CRITREG_WHY_UNREACHABLE 1
+
+/**
+ * No sequence of actions reaches the goal, however long.
+ */
+#define CRITREG_WHY_NO_SKELETON 2
+
+/**
+ * The callback advise pruned all sequences that reach the goal.
+ */
+#define CRITREG_WHY_PRUNED 3
+
+/**
+ * No sequence of up to critreg_planner_config.max_length actions reaches the goal.
+ */
+#define CRITREG_WHY_LENGTH 4
+
+/**
+ * Steps with parameters failed critreg_planner_config.max_tries times, while samples were
+ * left.
+ */
+#define CRITREG_WHY_TRIES 5
+
+/**
+ * Steps without parameters failed: the simulator does not do what the text says.
+ */
+#define CRITREG_WHY_WORLD 6
+
+/**
+ * critreg_planner_config.max_skeletons were refined in vain.
+ */
+#define CRITREG_WHY_SKELETONS 7
+
+/**
+ * critreg_planner_config.max_samples were drawn in vain.
+ */
+#define CRITREG_WHY_SAMPLES 8
+
+/**
+ * The memory is full.
+ */
+#define CRITREG_WHY_MEMORY 9
+
+/**
+ * A callback stopped planning.
+ */
+#define CRITREG_WHY_STOPPED 10
 
 /**
  * Option of the stick-button environment: robot and stick can turn, and lie at
@@ -1272,7 +1377,7 @@ typedef struct critreg_planner_config {
      */
     uint32_t max_actions;
     /**
-     * Most calls of execute. Default 10000.
+     * Most calls of execute, with tries for which sample found nothing. Default 10000.
      */
     uint32_t max_samples;
     /**
@@ -1299,6 +1404,28 @@ typedef struct critreg_planner_config {
      * created. Default CRITREG_DEFAULT_NODES.
      */
     uint32_t nodes;
+    /**
+     * Ground atoms to have room for that can change, and negations that preconditions
+     * ask for. Sets of them have room for 128, 512 or 1024, so that is what each operator
+     * and node takes memory for. Default CRITREG_DEFAULT_ATOMS, at most
+     * CRITREG_MAX_ATOMS.
+     */
+    uint32_t atoms;
+    /**
+     * Atoms and numbers of :init to have room for. Default CRITREG_DEFAULT_FACTS.
+     */
+    uint32_t facts;
+    /**
+     * How many sequences that lead to one abstract state are extended before all others
+     * are; more only if a skeleton cannot be refined, or nothing else is left. Where no
+     * action has parameters it is 1. Default 4. 0 is no bound: then a beginning of a
+     * skeleton that cannot work is tried again in others, too.
+     */
+    uint32_t skeletons_per_state;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
 } critreg_planner_config;
 
 /**
@@ -1448,7 +1575,9 @@ typedef struct critreg_drawn {
  * @param rng Random numbers. They follow from the seed of critreg_plan().
  * @param drawn Receives the parameters, or why there are none.
  * @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters are expected to work in
- * this state, upon which an earlier step is tried again; or what shall stop planning.
+ * this state, upon which an earlier step is tried again; CRITREG_NO_SAMPLE if none were
+ * found, which is a failed try like any other; or what shall stop planning. So what
+ * critreg_sample_region() returned may be passed on.
  */
 typedef critreg_status (*critreg_sample)(void *user_data,
                                          const struct critreg_draw *draw,
@@ -1561,8 +1690,9 @@ typedef struct critreg_metrics {
      */
     uint32_t plan_length;
     /**
-     * Tries of a step: parameters were drawn and execute was called. Steps
-     * without parameters count too, so the length of the plan is the least.
+     * Tries of a step: parameters were drawn and execute was called, or
+     * CRITREG_NO_SAMPLE was returned. Steps without parameters count too, so the length
+     * of the plan is the least.
      */
     uint32_t samples;
     /**
@@ -1621,9 +1751,10 @@ typedef struct critreg_metrics {
      */
     uint32_t main_reason;
     /**
-     * Always 0.
+     * Sequences that were not extended at first, as enough others lead to the same
+     * abstract state; see critreg_planner_config.skeletons_per_state.
      */
-    uint32_t reserved;
+    uint32_t repeated;
 } critreg_metrics;
 
 /**
@@ -2663,6 +2794,31 @@ critreg_status critreg_metrics_init(struct critreg_metrics *metrics,
                                     size_t size);
 
 /**
+ * Why the last critreg_plan() found no plan: what stood in the way, and what to change
+ * first. critreg_planner_metrics() has the numbers.
+ *
+ * ```c
+ * if (critreg_plan(planner, &callbacks, state, 1, NULL, NULL) == CRITREG_NO_PLAN
+ *     && critreg_planner_why(planner, &why, text, sizeof text, NULL) == CRITREG_OK)
+ *     puts(text);   // the goal cannot be reached: nothing reaches (At roof), as Climb ...
+ * ```
+ *
+ * @param planner The planner; may be called from its callbacks.
+ * @param why Receives CRITREG_WHY_UNREACHABLE or another code.
+ * @param text Receives the sentence, ended by NUL; empty for CRITREG_WHY_NOTHING.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the sentence with its NUL, also
+ * if the buffer is too small.
+ * @return CRITREG_TOO_SMALL (of text nothing is written); CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_why(const struct critreg_planner *planner,
+                                   uint32_t *why,
+                                   char *text,
+                                   size_t len,
+                                   size_t *needed);
+
+/**
  * What the last critreg_plan() cost, however it ended.
  *
  * @param planner The planner; may be called from its callbacks.
@@ -2706,7 +2862,7 @@ critreg_status critreg_planner_reasons(struct critreg_planner *planner,
  * @param domain The domain text, ended by NUL.
  * @param text Receives the words, ended by NUL: an empty text if all is well.
  * They are written also if the check fails, which is what they are for, and cut
- * off where the buffer ends. 128 bytes are always enough.
+ * off where the buffer ends. 256 bytes are always enough.
  * @param len Length of text in bytes; 0 if the words are not wanted.
  * @param needed NULL, or receives the length of the words with their NUL.
  * @return CRITREG_OK if the text is a domain; CRITREG_SYNTAX_ERROR; CRITREG_CAPACITY_EXCEEDED if it is
@@ -2755,6 +2911,23 @@ critreg_status critreg_check_pddl(const char *domain,
                                   char *text,
                                   size_t len,
                                   size_t *needed);
+
+/**
+ * Sets pddl_bytes, operators, atoms and facts of a configuration to what a PDDL domain and
+ * a problem of it need; the rest stays. Ask critreg_planner_size() then how much memory
+ * that is.
+ *
+ * It takes about 150 kilobytes of stack.
+ *
+ * @param domain The PDDL domain, ended by NUL.
+ * @param problem A PDDL problem of that domain, ended by NUL.
+ * @param config A configuration from critreg_planner_config_init(), to be changed.
+ * @return CRITREG_OK; else as critreg_check_pddl(), which has words for it, and nothing
+ * is changed.
+ */
+critreg_status critreg_planner_measure(const char *domain,
+                                       const char *problem,
+                                       struct critreg_planner_config *config);
 
 /**
  * The domain text of picking the stick with one button on the table, the action

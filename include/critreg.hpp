@@ -505,6 +505,14 @@ public:
         return metrics;
     }
 
+    /** Why the last plan() found none, and what to change first; empty if it did. */
+    std::string why_no_plan() const {
+        return detail::text([this](char *text, std::size_t len, std::size_t *needed) {
+            std::uint32_t why = CRITREG_WHY_NOTHING;
+            return critreg_planner_why(handle(), &why, text, len, needed);
+        });
+    }
+
     /** Why the last call failed that did fail. */
     std::string why() const {
         return detail::text([this](char *text, std::size_t len, std::size_t *needed) {

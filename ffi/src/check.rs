@@ -3,16 +3,21 @@
 use crate::boundary::limits::CRITREG_DOMAIN_TEXT_MAX;
 use crate::boundary::pointer;
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
+use crate::boundary::structs;
 use crate::boundary::text;
-use crate::planner::layout::MAX_FACTS;
+use crate::planner::config::{self, LINKS_OF_OPERATOR, critreg_planner_config};
 use crate::planner::making::read_texts;
 use crate::region::making::REGION_TEXT_MAX;
 use core::ffi::c_char;
 use core::fmt;
+use critreg_core::Error;
 use critreg_core::domain::Domain;
 use critreg_core::pddl;
+use critreg_core::plan;
 use critreg_core::region::Region;
-use critreg_core::task::GroundAtom;
+
+/// Most atoms of `:init` that a check has room for.
+const MAX_FACTS: usize = 2048;
 
 /// Reads a domain text and says what is wrong with it, such as
 /// "line 3, column 7: unknown object".
@@ -20,7 +25,7 @@ use critreg_core::task::GroundAtom;
 /// @param domain The domain text, ended by NUL.
 /// @param text Receives the words, ended by NUL: an empty text if all is well.
 /// They are written also if the check fails, which is what they are for, and cut
-/// off where the buffer ends. 128 bytes are always enough.
+/// off where the buffer ends. 256 bytes are always enough.
 /// @param len Length of text in bytes; 0 if the words are not wanted.
 /// @param needed NULL, or receives the length of the words with their NUL.
 /// @return CRITREG_OK if the text is a domain; CRITREG_SYNTAX_ERROR; CRITREG_CAPACITY_EXCEEDED if it is
@@ -96,15 +101,76 @@ pub unsafe extern "C" fn critreg_check_pddl(
 }
 
 /// What is wrong with a domain and a problem, and which of them is.
-fn check_pddl([domain, problem]: [&str; 2]) -> (&'static str, Fallible) {
+fn check_pddl(texts: [&str; 2]) -> (&'static str, Fallible) {
+    let (which, measured) = measure(texts);
+    (which, measured.map(|_| ()))
+}
+
+/// What a planner has to have room for.
+struct Measured {
+    operators: usize,
+    atoms: usize,
+    facts: usize,
+}
+
+/// What two texts take room for; or what is wrong with them, and with which.
+fn measure([domain, problem]: [&str; 2]) -> (&'static str, Fallible<Measured>) {
     let domain = match pddl::Domain::parse(domain) {
         Ok(domain) => domain,
         Err(error) => return ("domain, ", Err(error.into())),
     };
-    let mut facts = [GroundAtom::default(); MAX_FACTS];
+    let mut facts = [pddl::Fact::default(); MAX_FACTS];
     let grounded = pddl::Problem::parse(&domain, problem, &mut facts)
-        .and_then(|problem| pddl::Grounding::new(&problem).map(|_| ()));
+        .and_then(|problem| measure_problem(&problem));
     ("problem, ", grounded.map_err(Failure::from))
+}
+
+fn measure_problem(problem: &pddl::Problem<'_>) -> Result<Measured, Error> {
+    let mut grounding = pddl::Grounding::<16>::new(problem)?;
+    let (mut operators, mut links) = (0, 0);
+    grounding.operators(&mut |operator| {
+        operators += 1;
+        links += plan::links(core::slice::from_ref(&operator));
+        Ok(())
+    })?;
+    Ok(Measured {
+        operators: operators.max(links.div_ceil(LINKS_OF_OPERATOR)),
+        atoms: grounding.atoms().as_slice().len(),
+        facts: problem.fact_count(),
+    })
+}
+
+/// Sets pddl_bytes, operators, atoms and facts of a configuration to what a PDDL domain and
+/// a problem of it need; the rest stays. Ask critreg_planner_size() then how much memory
+/// that is.
+///
+/// It takes about 150 kilobytes of stack.
+///
+/// @param domain The PDDL domain, ended by NUL.
+/// @param problem A PDDL problem of that domain, ended by NUL.
+/// @param config A configuration from critreg_planner_config_init(), to be changed.
+/// @return CRITREG_OK; else as critreg_check_pddl(), which has words for it, and nothing
+/// is changed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_planner_measure(
+    domain: *const c_char,
+    problem: *const c_char,
+    config: *mut critreg_planner_config,
+) -> critreg_status {
+    let measured = || {
+        // SAFETY: the header makes it the caller's promise, for both.
+        let (texts, mut read) = unsafe { (read_texts(domain, problem)?, config::read(config)?) };
+        let measured = measure(texts).1?;
+        let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
+        let bytes = texts.iter().map(|text| text.len() + 1).sum();
+        read.pddl_bytes = number(bytes);
+        read.operators = number(measured.operators);
+        read.atoms = number(measured.atoms);
+        read.facts = number(measured.facts);
+        // SAFETY: as above.
+        unsafe { structs::write(read, config, "config") }
+    };
+    status_of(measured())
 }
 
 /// # Safety

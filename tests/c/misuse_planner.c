@@ -124,7 +124,7 @@ static void wrong_texts(void)
     expect_words("\xff", TO_B, CRITREG_INVALID_ARGUMENT, "the text is not UTF-8");
     expect_words("(define\n (banana walk))", TO_B, CRITREG_SYNTAX_ERROR,
                  "domain, line 2, column 3: expected `(define (domain`, a name and `)`");
-    expect_words(WALK, "(define (problem p) (:domain walk) (:objects a - place)\n (:init (At b))",
+    expect_words(WALK, "(define (problem p) (:domain walk) (:objects a - place)\n (:init (At b)) (:goal ()))",
                  CRITREG_SYNTAX_ERROR, "problem, line 2, column 13: unknown object");
     expect_words(WALK, "(define (problem p) (:domain talk) (:init) (:goal ()))",
                  CRITREG_SYNTAX_ERROR,
@@ -137,6 +137,54 @@ static void wrong_texts(void)
     EXPECT(CRITREG_SYNTAX_ERROR, critreg_check_pddl("", TO_B, why, sizeof why, NULL));
     EXPECT_TRUE(strcmp(why, "domain,") == 0);
     EXPECT(CRITREG_NULL_POINTER, critreg_check_pddl(WALK, TO_B, NULL, 1, NULL));
+}
+
+/* Sets of atoms of every size, and what is said where they are too small. */
+static void sizes_of_sets(void)
+{
+    static const double speed[2] = {0.0, 1.0};
+    static const uint32_t atoms[] = {1, 128, 129, 512, 513, 1024};
+    static uint64_t large[CRITREG_PLANNER_WORDS_OF(8192, 256, 4096, 1024, 700, 32, STATE)];
+    critreg_planner_config config = walk_config();
+    critreg_planner *planner = NULL;
+    size_t i;
+
+    for (i = 1; i < 6; i++) {
+        config.atoms = atoms[i];
+        config.facts = 700;
+        EXPECT_TRUE(critreg_planner_size(&config)
+                    <= 8 * CRITREG_PLANNER_WORDS_OF(8192, 256, 4096, atoms[i], 700, 32, STATE));
+        OK(critreg_planner_init(large, sizeof large, WALK, TO_B, &config, &planner));
+        OK(critreg_planner_set_ranges(planner, "Walk", speed, 1));
+        expect_plan(planner);
+    }
+    config.atoms = 3;
+    EXPECT(CRITREG_CAPACITY_EXCEEDED,
+           critreg_planner_init(large, sizeof large, WALK, TO_B, &config, &planner));
+    config.atoms = 1025;
+    EXPECT_TRUE(critreg_planner_size(&config) == 0);
+}
+
+/* What texts need is what is asked for, and enough. */
+static void measured(void)
+{
+    critreg_planner_config config = walk_config(), wrong;
+    static const double speed[2] = {0.0, 1.0};
+    critreg_planner *planner = NULL;
+
+    OK(critreg_planner_measure(WALK, TO_B, &config));
+    EXPECT_TRUE(config.pddl_bytes == strlen(WALK) + strlen(TO_B) + 2);
+    EXPECT_TRUE(config.operators == 6 && config.atoms == 4 && config.facts == 1);
+    EXPECT_TRUE(config.state_len == STATE && config.max_tries == 10);
+    OK(critreg_planner_init(memory, sizeof memory, WALK, TO_B, &config, &planner));
+    OK(critreg_planner_set_ranges(planner, "Walk", speed, 1));
+    expect_plan(planner);
+    wrong = config;
+    EXPECT(CRITREG_SYNTAX_ERROR, critreg_planner_measure("", TO_B, &wrong));
+    EXPECT_TRUE(memcmp(&wrong, &config, sizeof config) == 0);
+    EXPECT(CRITREG_NULL_POINTER, critreg_planner_measure(WALK, TO_B, NULL));
+    wrong.struct_size = 0;
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_planner_measure(WALK, TO_B, &wrong));
 }
 
 /* Every function refuses what is no planner. */
@@ -213,6 +261,8 @@ int main(void)
     enough_words();
     wrong_configurations();
     wrong_texts();
+    sizes_of_sets();
+    measured();
     wrong_handles();
     wrong_ranges();
     return summary();

@@ -3,6 +3,7 @@
 #include "walk.h"
 
 static uint64_t memory[CRITREG_PLANNER_WORDS(STATE)];
+static const double UNIT[2] = {0.0, 1.0};
 
 static critreg_metrics metrics_of(const critreg_planner *planner)
 {
@@ -355,6 +356,96 @@ static critreg_status fast(void *user_data, const critreg_draw *draw, critreg_rn
     return CRITREG_OK;
 }
 
+/* As critreg_sample_region() may: nothing was found in the first try of a step. */
+static critreg_status at_second_try(void *user_data, const critreg_draw *draw, critreg_rng *rng,
+                                    critreg_drawn *drawn)
+{
+    if (draw->parameter_count > 0 && draw->attempt == 1)
+        return CRITREG_NO_SAMPLE;
+    return fast(user_data, draw, rng, drawn);
+}
+
+static critreg_status never(void *user_data, const critreg_draw *draw, critreg_rng *rng,
+                            critreg_drawn *drawn)
+{
+    (void)user_data;
+    (void)draw;
+    (void)rng;
+    (void)drawn;
+    return CRITREG_NO_SAMPLE;
+}
+
+static void nothing_found(void)
+{
+    critreg_planner *planner = walk_planner(memory, sizeof memory);
+    critreg_callbacks callbacks = all_callbacks();
+    critreg_metrics metrics;
+    walker own = CALM;
+
+    callbacks.sample = at_second_try;
+    OK(critreg_plan(planner, &callbacks, DARK, 1, &own, NULL));
+    EXPECT_TRUE(metrics_of(planner).samples == 3 && own.executes == 2);
+    callbacks.sample = never;
+    own = CALM;
+    EXPECT_TRUE(critreg_plan(planner, &callbacks, DARK, 1, &own, NULL) != CRITREG_OK);
+    metrics = metrics_of(planner);
+    EXPECT_TRUE(metrics.samples > 0 && metrics.empty_draws == 0 && own.executes == 0);
+}
+
+static void expect_why(const critreg_planner *planner, uint32_t expected, const char *sentence)
+{
+    char words[256] = "";
+    uint32_t why = 77;
+    size_t needed = 0;
+    OK(critreg_planner_why(planner, &why, words, sizeof words, &needed));
+    EXPECT_TRUE(why == expected && needed == strlen(words) + 1);
+    EXPECT_TRUE(strcmp(words, sentence) == 0);
+    if (strcmp(words, sentence) != 0)
+        puts(words);
+}
+
+/* A code and a sentence for what stood in the way. */
+static void why_no_plan(void)
+{
+    static const char TO_ROOF[] =
+        "(define (problem p) (:domain walk) (:objects a b - place) (:init) (:goal (Lit b)))";
+    critreg_planner_config config = walk_config();
+    critreg_planner *planner = walk_planner(memory, sizeof memory);
+    critreg_callbacks callbacks = all_callbacks();
+    const double nowhere_at[STATE] = {-1.0, 0.0, 0.0};
+    uint32_t why = 0;
+    walker own = CALM;
+
+    expect_why(planner, CRITREG_WHY_NOTHING, "");
+    OK(critreg_plan(planner, &callbacks, DARK, 1, &own, NULL));
+    expect_why(planner, CRITREG_WHY_NOTHING, "");
+    own = CALM;
+    own.fail_execute = 0;
+    own.status = CRITREG_CANCELLED;
+    EXPECT(CRITREG_CANCELLED, critreg_plan(planner, &callbacks, DARK, 1, &own, NULL));
+    expect_why(planner, CRITREG_WHY_STOPPED, "a callback stopped planning");
+    EXPECT(CRITREG_NULL_POINTER, critreg_planner_why(NULL, &why, NULL, 0, NULL));
+    EXPECT(CRITREG_NULL_POINTER, critreg_planner_why(planner, NULL, NULL, 0, NULL));
+
+    OK(critreg_planner_init(memory, sizeof memory, WALK, TO_ROOF, &config, &planner));
+    own = CALM;
+    EXPECT(CRITREG_NO_PLAN, critreg_plan(planner, &callbacks, nowhere_at, 1, &own, NULL));
+    expect_why(planner, CRITREG_WHY_UNREACHABLE,
+               "the goal cannot be reached: nothing reaches (At b), as Walk needs (At ?from)");
+    EXPECT(CRITREG_TOO_SMALL, critreg_planner_why(planner, &why, NULL, 0, NULL));
+    EXPECT_TRUE(why == CRITREG_WHY_UNREACHABLE);
+
+    config.max_skeletons = 3;
+    OK(critreg_planner_init(memory, sizeof memory, WALK, TO_B, &config, &planner));
+    OK(critreg_planner_set_ranges(planner, "Walk", UNIT, 1));
+    callbacks.sample = never;
+    own = CALM;
+    EXPECT(CRITREG_NO_PLAN, critreg_plan(planner, &callbacks, DARK, 1, &own, NULL));
+    expect_why(planner, CRITREG_WHY_TRIES,
+               "3 skeletons were given up after 10 tries of a step, most often of Walk, with 12 "
+               "of 10000 samples: raise max_tries");
+}
+
 static void knowledge(void)
 {
     critreg_planner *planner = walk_planner(memory, sizeof memory);
@@ -391,6 +482,8 @@ int main(void)
     nonsense();
     re_entry();
     no_plan();
+    nothing_found();
+    why_no_plan();
     knowledge();
     return summary();
 }

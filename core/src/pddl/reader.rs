@@ -6,19 +6,32 @@ use crate::text::{Lexer, Token};
 /// Words of PDDL that are refused by name, each with what is said about it.
 const UNSUPPORTED: &[(&str, &str)] = &{
     macro_rules! refuse {
-        ($($word:literal)*) => { [$(($word, concat!("`", $word, "` is not supported"))),*] };
+        ($($word:literal => $hint:literal,)*) => {
+            [$(($word, concat!("`", $word, "` is not supported", $hint))),*]
+        };
     }
     refuse! {
-        "either" "or" "imply" "exists" "forall" "when" "preference"
-        "increase" "decrease" "assign" "scale-up" "scale-down"
-        ":functions" ":constraints" ":derived" ":durative-action" ":axiom"
-        ":metric" ":length" ":situation"
-        ":adl" ":disjunctive-preconditions" ":existential-preconditions"
-        ":universal-preconditions" ":quantified-preconditions" ":conditional-effects"
-        ":fluents" ":numeric-fluents" ":object-fluents" ":action-costs"
-        ":goal-utilities" ":durative-actions" ":duration-inequalities"
-        ":continuous-effects" ":derived-predicates" ":timed-initial-literals"
-        ":preferences"
+        "preference" => ": make it a goal or leave it out",
+        "decrease" => ": a number belongs to the state of the program; write a predicate for what it decides",
+        "assign" => ": a number belongs to the state of the program; write a predicate for what it decides",
+        "scale-up" => ": a number belongs to the state of the program; write a predicate for what it decides",
+        "scale-down" => ": a number belongs to the state of the program; write a predicate for what it decides",
+        "<" => ": a number belongs to the state of the program; write a predicate for what it decides",
+        ">" => ": a number belongs to the state of the program; write a predicate for what it decides",
+        "<=" => ": a number belongs to the state of the program; write a predicate for what it decides",
+        ">=" => ": a number belongs to the state of the program; write a predicate for what it decides",
+        "oneof" => ": an effect is certain, or left out",
+        "probabilistic" => ": an effect is certain, or left out",
+        "increase" => " here: only `(increase (total-cost) ...)` in an effect without condition",
+        "or" => " here",
+        "imply" => " here",
+        "exists" => " here",
+        "forall" => " here",
+        "when" => " here",
+        ":constraints" => ": write them as preconditions",
+        ":derived" => ": write the effects of the actions that change it, or a predicate that the program decides",
+        ":axiom" => ": write the effects of the actions that change it, or a predicate that the program decides",
+        ":durative-action" => ": write an `:action`; how long it takes is the controller's",
     }
 };
 
@@ -26,6 +39,17 @@ const UNSUPPORTED: &[(&str, &str)] = &{
 #[derive(Clone)]
 pub(super) struct Reader<'t> {
     lexer: Lexer<'t>,
+    text: &'t str,
+}
+
+/// What to do with a section.
+pub(super) enum Section {
+    /// It was read.
+    Read,
+    /// Its turn is another time, or never.
+    Skip,
+    /// There is no such section.
+    Unknown,
 }
 
 /// An entry of a typed list.
@@ -33,7 +57,7 @@ pub(super) struct Typed<'t> {
     /// Where it stands.
     pub(super) at: Reader<'t>,
     pub(super) name: &'t str,
-    /// Where the name of its type stands, if it has one.
+    /// Where its type stands, if it has one.
     pub(super) type_at: Option<Reader<'t>>,
 }
 
@@ -61,8 +85,10 @@ impl<'t> Reader<'t> {
         kind: &str,
         what: &'static str,
     ) -> Result<(Self, &'t str), Error> {
+        // Some editors begin a text with a byte-order mark.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let lexer = Lexer::pddl(text);
-        let mut reader = Reader { lexer };
+        let mut reader = Reader { lexer, text };
         for word in ["(", "define", "(", kind] {
             reader.expect(word, what)?;
         }
@@ -71,23 +97,75 @@ impl<'t> Reader<'t> {
         Ok((reader, name))
     }
 
-    /// Ends the text: the last bracket, and nothing behind it.
-    pub(super) fn end(mut self, what: &'static str) -> Result<(), Error> {
-        self.expect(")", what)?;
-        match self.lexer.token() {
+    /// Goes through the sections up to the end of the text. `read` gets each behind its
+    /// keyword, and reads it with the closing bracket or says what to do with it.
+    pub(super) fn sections(
+        &self,
+        what: &'static str,
+        mut read: impl FnMut(&str, &mut Self) -> Result<Section, Error>,
+    ) -> Result<(), Error> {
+        let mut reader = self.clone();
+        while !reader.accept(")") {
+            reader.expect("(", what)?;
+            let at = reader.clone();
+            let keyword = reader.accept_keyword();
+            let keyword = keyword.ok_or_else(|| at.unexpected(what))?;
+            match read(keyword, &mut reader)? {
+                Section::Read => {}
+                Section::Skip => reader.skip_to_close(1)?,
+                Section::Unknown => return Err(at.refuse(keyword, what)),
+            }
+        }
+        match reader.lexer.token() {
             Token::End => Ok(()),
-            _ => Err(self.error("expected the end of the text")),
+            _ => Err(reader.error("expected the end of the text")),
         }
     }
 
-    /// Moves on behind the bracket and keyword of a section if it stands there.
-    pub(super) fn section(&mut self, keyword: &str) -> bool {
-        let mut ahead = self.clone();
-        let found = ahead.accept("(") && ahead.accept(keyword);
-        if found {
-            *self = ahead;
+    /// Moves on behind a word, or a bracket with all that is in it.
+    pub(super) fn skip(&mut self) -> Result<(), Error> {
+        if self.accept("(") {
+            return self.skip_to_close(1);
         }
-        found
+        match self.lexer.token() {
+            Token::End | Token::Symbol(")") => Err(self.error("expected something here")),
+            _ => {
+                self.lexer.advance();
+                Ok(())
+            }
+        }
+    }
+
+    /// Moves on behind so many closing brackets.
+    pub(super) fn skip_to_close(&mut self, mut open: u32) -> Result<(), Error> {
+        while open > 0 {
+            match self.lexer.token() {
+                Token::Symbol("(") => open = open.saturating_add(1),
+                Token::Symbol(")") => open -= 1,
+                Token::End => return Err(self.error("expected `)`")),
+                _ => {}
+            }
+            self.lexer.advance();
+        }
+        Ok(())
+    }
+
+    /// The text from here up to the first closing bracket.
+    pub(super) fn text_to_close(&self) -> &'t str {
+        let rest = self.text.get(self.lexer.position()..).unwrap_or_default();
+        let length = rest.bytes().take_while(|byte| *byte != b')').count();
+        rest.get(..=length).unwrap_or(rest)
+    }
+
+    /// The keyword it stands on, and moves on.
+    pub(super) fn accept_keyword(&mut self) -> Option<&'t str> {
+        match self.lexer.token() {
+            Token::Symbol(keyword) if keyword.len() > 1 => {
+                self.lexer.advance();
+                Some(keyword)
+            }
+            _ => None,
+        }
     }
 
     pub(super) fn accept(&mut self, word: &str) -> bool {
@@ -130,21 +208,11 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// The section of requirements, if there is one. They need not be complete:
-    /// everything supported may be used anyway.
-    pub(super) fn requirements(&mut self) -> Result<(), Error> {
-        const SUPPORTED: [&str; 4] = [":strips", ":typing", ":equality", ":negative-preconditions"];
-        if !self.section(":requirements") {
-            return Ok(());
-        }
-        while !self.accept(")") {
-            if !SUPPORTED.iter().any(|word| self.accept(word)) {
-                return Err(self.unexpected(
-                    "expected `:strips`, `:typing`, `:equality` or `:negative-preconditions`",
-                ));
-            }
-        }
-        Ok(())
+    /// Refuses a keyword that is not supported, at the token it stands on.
+    pub(super) fn refuse(&self, keyword: &str, what: &'static str) -> Error {
+        let refused = |(word, _): &&(&str, _)| word.eq_ignore_ascii_case(keyword);
+        let found = UNSUPPORTED.iter().find(refused);
+        self.error(found.map_or(what, |(_, refusal)| refusal))
     }
 
     /// The next entry of a typed list such as `a b - c d)`; `None` behind its end.
@@ -162,35 +230,21 @@ impl<'t> Reader<'t> {
         while ahead.accept_word(word).is_some() {}
         let type_at = ahead.accept("-").then_some(ahead);
         if self.accept("-") {
-            self.expect_word(self::name, "expected the name of a type")?;
+            self.skip_type()?;
         }
         Ok(Some(Typed { at, name, type_at }))
     }
 
-    /// `(and ...)`, `()` or a single literal. Calls `literal` behind the opening
-    /// bracket of each; it moves on behind the closing one.
-    pub(super) fn conjunction(
-        &mut self,
-        mut literal: impl FnMut(&mut Self) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        let mut open = 0_usize;
-        loop {
-            let what = match open {
-                0 => "expected `(`",
-                _ => "expected `(` or `)`",
-            };
-            self.expect("(", what)?;
-            if self.accept("and") {
-                open = open.saturating_add(1);
-            } else if !self.accept(")") {
-                literal(self)?;
-            }
-            while open > 0 && self.accept(")") {
-                open -= 1;
-            }
-            if open == 0 {
-                return Ok(());
-            }
+    /// Moves on behind a type: a name or `(either ...)`.
+    pub(super) fn skip_type(&mut self) -> Result<(), Error> {
+        const WHAT: &str = "expected the name of a type";
+        if !self.accept("(") {
+            return self.expect_word(self::name, WHAT).map(|_| ());
         }
+        self.expect("either", "expected `either`")?;
+        while !self.accept(")") {
+            self.expect_word(self::name, WHAT)?;
+        }
+        Ok(())
     }
 }

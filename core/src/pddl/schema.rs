@@ -1,32 +1,35 @@
 //! The tables of a domain.
 
-use crate::task::{MAX_ARGUMENTS, OperatorId, PredicateId, TypeId};
+use super::formula::{Formulas, View};
+use super::types::{Type, Types};
+use crate::task::{OperatorId, PredicateId, TypeId};
 use core::cmp::Ordering;
 use heapless::Vec;
 
-/// Most types of a domain, `object` among them.
-pub const MAX_TYPES: usize = 32;
+/// Most types of a domain, `object` among them, and every `(either ...)` that a problem or
+/// a domain mentions.
+pub const MAX_TYPES: usize = 64;
 /// Most constants of a domain.
-pub const MAX_CONSTANTS: usize = 16;
+pub const MAX_CONSTANTS: usize = 64;
 /// Most predicates of a domain.
-pub const MAX_PREDICATES: usize = 32;
+pub const MAX_PREDICATES: usize = 64;
+/// Most functions of a domain.
+pub const MAX_FUNCTIONS: usize = 16;
 /// Most actions of a domain.
-pub const MAX_ACTIONS: usize = 32;
-/// Most arguments of all predicates and parameters of all actions together.
-pub const MAX_VARIABLES: usize = 128;
-/// Most preconditions and effects of all actions together.
-pub const MAX_LITERALS: usize = 256;
+pub const MAX_ACTIONS: usize = 64;
+/// Most arguments of all predicates and functions together.
+pub const MAX_VARIABLES: usize = 192;
+/// Most parameters of all actions and variables of quantifiers together.
+pub const MAX_PARAMETERS: usize = 192;
+/// Most preconditions and effects of all actions together, words such as `and` among
+/// them.
+pub const MAX_LITERALS: usize = 768;
+/// Most arguments of all preconditions and effects together.
+pub const MAX_TERMS: usize = 1024;
 
-/// The type that everything has.
-pub(super) const OBJECT: TypeId = TypeId(0);
-
-/// A type of objects.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Type<'t> {
-    /// Its name.
-    pub name: &'t str,
-    /// Its supertype; that of `object` is `object`.
-    pub parent: TypeId,
+/// The id that the function with an index has among the facts of a problem.
+pub(super) fn function_id(index: u8) -> PredicateId {
+    PredicateId(index.saturating_add(MAX_PREDICATES as u8))
 }
 
 /// An object of a problem or a constant of a domain.
@@ -47,7 +50,7 @@ pub struct Variable<'t> {
     pub type_id: TypeId,
 }
 
-/// A predicate.
+/// A predicate, or a function of which a problem says numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Predicate<'t> {
     /// Its name.
@@ -63,11 +66,13 @@ pub struct Action<'t> {
     /// Its name.
     pub name: &'t str,
     pub(super) parameters: Span,
-    pub(super) literals: Span,
+    /// The places of its formulas.
+    pub(super) precondition: u16,
+    pub(super) effect: u16,
 }
 
 /// Some neighbours in a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Span {
     first: u16,
     count: u16,
@@ -90,38 +95,13 @@ impl Span {
     }
 }
 
-/// What stands for an object in an action.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Term {
-    /// The parameter with this index.
-    Parameter(u8),
-    /// The constant with this index.
-    Constant(u8),
-}
-
-/// Where a literal stands in its action.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
-    Precondition,
-    Effect,
-}
-
-/// What a literal says about its terms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Relation {
-    /// The predicate holds for them.
-    Predicate(PredicateId),
-    /// They are one object.
-    Equality,
-}
-
-/// A precondition or an effect.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Literal {
-    pub(super) part: Part,
-    pub(super) negated: bool,
-    pub(super) relation: Relation,
-    pub(super) terms: Vec<Term, MAX_ARGUMENTS, u8>,
+/// What a domain declares, besides types.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Declarations<'t> {
+    pub(super) constants: Vec<Object<'t>, MAX_CONSTANTS>,
+    pub(super) predicates: Vec<Predicate<'t>, MAX_PREDICATES>,
+    pub(super) functions: Vec<Predicate<'t>, MAX_FUNCTIONS>,
+    pub(super) variables: Vec<Variable<'t>, MAX_VARIABLES>,
 }
 
 /// A domain: types, constants, predicates and actions. Its names are slices of its
@@ -129,89 +109,13 @@ pub(super) struct Literal {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Domain<'t> {
     pub(super) name: &'t str,
-    pub(super) types: Vec<Type<'t>, MAX_TYPES>,
-    pub(super) constants: Vec<Object<'t>, MAX_CONSTANTS>,
-    pub(super) predicates: Vec<Predicate<'t>, MAX_PREDICATES>,
+    pub(super) types: Types<'t>,
+    pub(super) declared: Declarations<'t>,
     pub(super) actions: Vec<Action<'t>, MAX_ACTIONS>,
-    pub(super) variables: Vec<Variable<'t>, MAX_VARIABLES>,
-    pub(super) literals: Vec<Literal, MAX_LITERALS>,
+    pub(super) formulas: Formulas<'t, MAX_LITERALS, MAX_TERMS, MAX_PARAMETERS>,
 }
 
-impl<'t> Domain<'t> {
-    /// Its name.
-    pub fn name(&self) -> &'t str {
-        self.name
-    }
-
-    /// The types: `object`, then in order of declaration.
-    pub fn types(&self) -> &[Type<'t>] {
-        &self.types
-    }
-
-    /// The constants in order of declaration.
-    pub fn constants(&self) -> &[Object<'t>] {
-        &self.constants
-    }
-
-    /// The predicates in order of declaration; a [`PredicateId`] is an index.
-    pub fn predicates(&self) -> &[Predicate<'t>] {
-        &self.predicates
-    }
-
-    /// The actions in order of declaration; an [`OperatorId`] is an index.
-    pub fn actions(&self) -> &[Action<'t>] {
-        &self.actions
-    }
-
-    /// The arguments of a predicate of this domain.
-    pub fn arguments(&self, predicate: &Predicate<'t>) -> &[Variable<'t>] {
-        predicate.arguments.of(&self.variables)
-    }
-
-    /// The parameters of an action of this domain.
-    pub fn parameters(&self, action: &Action<'t>) -> &[Variable<'t>] {
-        action.parameters.of(&self.variables)
-    }
-
-    /// The type with this name.
-    pub fn find_type(&self, name: &str) -> Option<TypeId> {
-        index_of(self.types.iter().map(|t| t.name), name).map(TypeId)
-    }
-
-    /// The predicate with this name.
-    pub fn find_predicate(&self, name: &str) -> Option<PredicateId> {
-        index_of(self.predicates.iter().map(|p| p.name), name).map(PredicateId)
-    }
-
-    /// The action with this name.
-    pub fn find_action(&self, name: &str) -> Option<OperatorId> {
-        index_of(self.actions.iter().map(|a| a.name), name).map(OperatorId)
-    }
-
-    /// Whether what is of the first type is of the second as well.
-    pub fn is_subtype(&self, type_id: TypeId, of: TypeId) -> bool {
-        let parent = |t: &TypeId| self.types.get(usize::from(t.0)).map(|t| t.parent);
-        // `object` is its own parent; a way up has at most one step for each type.
-        core::iter::successors(Some(type_id), parent)
-            .take(self.types.len())
-            .any(|t| t == of)
-    }
-
-    /// The actions in the order of their names.
-    pub(super) fn actions_by_name(&self) -> impl Iterator<Item = (OperatorId, &Action<'t>)> {
-        let next = |last: Option<&str>| {
-            let rest = (0..).map(OperatorId).zip(&self.actions);
-            rest.filter(|(_, a)| last.is_none_or(|last| compare(last, a.name).is_lt()))
-                .min_by(|(_, a), (_, b)| compare(a.name, b.name))
-        };
-        core::iter::successors(next(None), move |(_, last)| next(Some(last.name)))
-    }
-
-    /// The preconditions, then the effects of an action of this domain.
-    pub(super) fn literals(&self, action: &Action<'t>) -> &[Literal] {
-        action.literals.of(&self.literals)
-    }
-
+impl<'t> Declarations<'t> {
     /// The constant with this name and its index.
     pub(super) fn find_constant(&self, name: &str) -> Option<(u8, &Object<'t>)> {
         let place = index_of(self.constants.iter().map(|c| c.name), name)?;
@@ -224,11 +128,86 @@ impl<'t> Domain<'t> {
     }
 }
 
+impl<'t> Domain<'t> {
+    /// Its name.
+    pub fn name(&self) -> &'t str {
+        self.name
+    }
+
+    /// The types: `object`, then in order of declaration, then each `(either ...)`.
+    pub fn types(&self) -> &[Type<'t>] {
+        self.types.as_slice()
+    }
+
+    /// The constants in order of declaration.
+    pub fn constants(&self) -> &[Object<'t>] {
+        &self.declared.constants
+    }
+
+    /// The predicates in order of declaration; a [`PredicateId`] is an index.
+    pub fn predicates(&self) -> &[Predicate<'t>] {
+        &self.declared.predicates
+    }
+
+    /// The actions in order of declaration; an [`OperatorId`] is an index.
+    pub fn actions(&self) -> &[Action<'t>] {
+        &self.actions
+    }
+
+    /// The arguments of a predicate of this domain.
+    pub fn arguments(&self, predicate: &Predicate<'t>) -> &[Variable<'t>] {
+        predicate.arguments.of(&self.declared.variables)
+    }
+
+    /// The parameters of an action of this domain.
+    pub fn parameters(&self, action: &Action<'t>) -> &[Variable<'t>] {
+        action.parameters.of(&self.formulas.variables)
+    }
+
+    /// The type with this name.
+    pub fn find_type(&self, name: &str) -> Option<TypeId> {
+        self.types.find(name)
+    }
+
+    /// The predicate with this name.
+    pub fn find_predicate(&self, name: &str) -> Option<PredicateId> {
+        index_of(self.predicates().iter().map(|p| p.name), name).map(PredicateId)
+    }
+
+    /// The action with this name.
+    pub fn find_action(&self, name: &str) -> Option<OperatorId> {
+        index_of(self.actions.iter().map(|a| a.name), name).map(OperatorId)
+    }
+
+    /// Whether what is of the first type is of the second as well.
+    pub fn is_subtype(&self, type_id: TypeId, of: TypeId) -> bool {
+        self.types.is_subtype(type_id, of)
+    }
+
+    /// The actions in the order of their names.
+    pub(super) fn actions_by_name(&self) -> impl Iterator<Item = (OperatorId, &Action<'t>)> {
+        let next = |last: Option<&str>| {
+            let rest = (0..).map(OperatorId).zip(&self.actions);
+            rest.filter(|(_, a)| last.is_none_or(|last| compare(last, a.name).is_lt()))
+                .min_by(|(_, a), (_, b)| compare(a.name, b.name))
+        };
+        core::iter::successors(next(None), move |(_, last)| next(Some(last.name)))
+    }
+
+    /// The formulas of its actions.
+    pub(super) fn view(&self) -> View<'_, 't> {
+        self.formulas.view()
+    }
+}
+
 /// The place of a name among others.
 pub(super) fn index_of<'n>(mut names: impl Iterator<Item = &'n str>, name: &str) -> Option<u8> {
     let place = names.position(|n| n.eq_ignore_ascii_case(name))?;
     u8::try_from(place).ok()
 }
+
+/// What is said about a second declaration of a name.
+pub(super) const DECLARED_TWICE: &str = "this name is declared already";
 
 /// The order of names, in which case does not matter.
 pub(super) fn compare(a: &str, b: &str) -> Ordering {

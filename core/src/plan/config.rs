@@ -22,6 +22,13 @@ pub struct Config {
     /// Most samples, each of which runs a controller: the budget that stands for
     /// time, so that the same inputs always end in the same way.
     pub max_samples: u32,
+    /// How many sequences that lead to one abstract state are extended before all others
+    /// are. Behind the first they are plan skeletons of their own only if continuous
+    /// choices, or the order of steps, leave something else behind. The bound doubles with
+    /// each skeleton that cannot be refined, and when nothing else is left, so none is
+    /// lost. [`u32::MAX`], the default, is no bound, as in the framework; where no operator
+    /// has parameters it is 1.
+    pub skeletons_per_state: u32,
     /// How many nodes are expanded and samples drawn after the first objection of a
     /// guide or a sampler. If there is no plan by then, planning begins anew without
     /// advice, and so do the limits above. So wrong advice costs at most so much, but
@@ -38,6 +45,7 @@ impl Default for Config {
             max_length: MAX_SKELETON,
             max_actions: 100,
             max_samples: 10_000,
+            skeletons_per_state: u32::MAX,
             patience: 256,
         }
     }

@@ -22,20 +22,20 @@ pub enum Advice {
 }
 
 /// Judges sequences of operators before anything is sampled for them.
-pub trait Guide {
+pub trait Guide<const N: usize = 2> {
     /// What to do with a sequence of operators. It is asked when the search comes
     /// to it, to extend it or, if it reaches the goal, to refine it: most sequences
     /// that are created never come that far, and need no advice. All shorter
     /// prefixes were kept.
-    fn judge(&mut self, prefix: Skeleton<'_>) -> Advice;
+    fn judge(&mut self, prefix: Skeleton<'_, N>) -> Advice;
 }
 
 /// Keeps everything.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unguided;
 
-impl Guide for Unguided {
-    fn judge(&mut self, _: Skeleton<'_>) -> Advice {
+impl<const N: usize> Guide<N> for Unguided {
+    fn judge(&mut self, _: Skeleton<'_, N>) -> Advice {
         Advice::Keep
     }
 }

@@ -7,8 +7,8 @@ use crate::task::OperatorId;
 /// Counts of one planning. All are there however it ended.
 #[derive(Debug, Default)]
 pub struct Metrics<'m> {
-    /// Tries of a step: parameters were drawn and the controller was run. Steps
-    /// without parameters count too, so the length of the plan is the least.
+    /// Tries of a step: parameters were drawn and the controller was run, or none were
+    /// found. Steps without parameters count too, so the length of the plan is the least.
     pub samples: u32,
     /// Plan skeletons that were refined.
     pub skeletons: u32,
@@ -22,6 +22,15 @@ pub struct Metrics<'m> {
     pub postponed: u32,
     /// Sequences that were not extended because of their length.
     pub cut_off: u32,
+    /// Sequences that were not extended at first, as enough others lead to the same
+    /// abstract state: see [`Config::skeletons_per_state`].
+    pub repeated: u32,
+    /// Sequences that were left out because they begin with one that cannot work: a step
+    /// without parameters, after none but such, whose controller takes no action.
+    pub dead: u32,
+    /// Skeletons that were given up because a step with parameters had used its tries:
+    /// [`Config::max_tries`].
+    pub tries_spent: u32,
     /// Draws that ended with the sampler knowing that no parameters work.
     pub empty_draws: u32,
     /// Draws in which the sampler knew where to draw.

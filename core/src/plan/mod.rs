@@ -64,6 +64,8 @@ mod room;
 mod search;
 mod skeleton;
 mod task;
+mod visited;
+mod why;
 mod world;
 
 pub use config::Config;
@@ -77,4 +79,5 @@ pub use room::Room;
 pub use search::{Search, SearchMemory, SearchNode};
 pub use skeleton::{MAX_SKELETON, Skeleton};
 pub use task::{AbstractTask, GroundTask};
+pub use why::Why;
 pub use world::{Draw, Drawn, Sampler, Simulated, World};

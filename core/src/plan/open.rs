@@ -13,6 +13,32 @@ pub struct Waiting {
     pub(super) node: u32,
 }
 
+impl Waiting {
+    /// What is set aside comes behind everything else.
+    const ASIDE: u32 = 1 << 31;
+
+    /// A node with this priority.
+    pub(super) fn new(priority: u32, lot: u64, node: u32) -> Self {
+        Waiting {
+            priority: priority.min(Self::ASIDE - 1),
+            lot,
+            node,
+        }
+    }
+
+    /// The same, set aside.
+    pub(super) fn aside(self) -> Self {
+        Waiting {
+            priority: self.priority | Self::ASIDE,
+            ..self
+        }
+    }
+
+    pub(super) fn is_aside(&self) -> bool {
+        self.priority & Self::ASIDE != 0
+    }
+}
+
 /// A binary heap in lent memory, the least item first.
 #[derive(Debug)]
 pub(super) struct OpenList<'m> {
@@ -47,6 +73,18 @@ impl<'m> OpenList<'m> {
             self.sink(0, last);
         }
         Some(first)
+    }
+
+    /// Makes what is set aside wait among the others again.
+    pub(super) fn rejoin(&mut self) {
+        for slot in self.slots.iter_mut().take(self.used) {
+            slot.priority &= !Waiting::ASIDE;
+        }
+        for place in (0..self.used / 2).rev() {
+            if let Some(item) = self.slots.get(place).copied() {
+                self.sink(place, item);
+            }
+        }
     }
 
     pub(super) fn clear(&mut self) {

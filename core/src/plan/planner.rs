@@ -13,11 +13,11 @@ use rand_core::Rng;
 
 /// The memory of one planning. All of it can be used again for the next.
 #[derive(Debug)]
-pub struct Memory<'m, S> {
+pub struct Memory<'m, S, const N: usize = 2> {
     /// For the search.
-    pub search: SearchMemory<'m>,
+    pub search: SearchMemory<'m, N>,
     /// One for each operator of the longest skeleton to be refined.
-    pub steps: &'m mut [Step<S>],
+    pub steps: &'m mut [Step<S, N>],
     /// A counter for each operator; see [`Metrics::failures`].
     pub failures: &'m mut [u32],
     /// A counter for each reason that guide and sampler give; see
@@ -25,9 +25,9 @@ pub struct Memory<'m, S> {
     pub reasons: &'m mut [u32],
 }
 
-impl<S> Memory<'_, S> {
+impl<S, const N: usize> Memory<'_, S, N> {
     /// The same memory, lent for a shorter time.
-    pub fn reborrow(&mut self) -> Memory<'_, S> {
+    pub fn reborrow(&mut self) -> Memory<'_, S, N> {
         let heuristic = &mut self.search.heuristic;
         Memory {
             search: SearchMemory {
@@ -38,6 +38,7 @@ impl<S> Memory<'_, S> {
                 },
                 nodes: self.search.nodes,
                 open: self.search.open,
+                visited: self.search.visited,
             },
             steps: self.steps,
             failures: self.failures,
@@ -67,13 +68,13 @@ pub enum Conclusion {
 
 /// What came of planning.
 #[derive(Debug)]
-pub struct Planned<'m, S> {
+pub struct Planned<'m, S, const N: usize = 2> {
     /// How it ended.
     pub conclusion: Conclusion,
     /// What it cost, and what stood in the way.
     pub metrics: Metrics<'m>,
     /// The plan; empty unless solved.
-    pub steps: &'m [Step<S>],
+    pub steps: &'m [Step<S, N>],
 }
 
 /// A bilevel planner. See the [module](super).
@@ -89,7 +90,7 @@ pub struct Planner<'a, W, S, G> {
     pub config: Config,
 }
 
-impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
+impl<W, S, G> Planner<'_, W, S, G> {
     /// Plans from a state, of which `task.initial` is the abstraction.
     ///
     /// `lots` breaks ties in the search, from the beginning again if patience ends.
@@ -99,18 +100,24 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
     ///
     /// # Errors
     /// Those of the world and the sampler. That there is no plan is no error.
-    pub fn plan<'m, R: Rng>(
+    pub fn plan<'m, R: Rng, const N: usize>(
         &mut self,
-        task: AbstractTask<'m>,
+        task: AbstractTask<'m, N>,
         initial: &W::State,
         lots: impl Rng + Clone,
         samples: impl FnMut() -> R,
-        memory: Memory<'m, W::State>,
-    ) -> Result<Planned<'m, W::State>, W::Error> {
+        memory: Memory<'m, W::State, N>,
+    ) -> Result<Planned<'m, W::State, N>, W::Error>
+    where
+        W: World<N>,
+        S: Sampler<W, N>,
+        G: Guide<N>,
+    {
         let mut metrics = Metrics::new(memory.failures, memory.reasons);
         let steps = memory.steps;
         let config = Config {
             max_length: self.config.max_length.min(steps.len()),
+            skeletons_per_state: self.skeletons_per_state(task)?,
             ..self.config
         };
         let search = Search::new(task, &config, lots, memory.search, &mut metrics);
@@ -128,20 +135,43 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
         })
     }
 
-    fn search_then_sample<R: Rng>(
+    /// One, if no operator has parameters: then there is nothing to choose on the way.
+    fn skeletons_per_state<const N: usize>(
+        &self,
+        task: AbstractTask<'_, N>,
+    ) -> Result<u32, W::Error>
+    where
+        W: World<N>,
+    {
+        for operator in task.operators.iter().filter(|o| !o.is_goal()) {
+            if self.world.parameters(operator)? > 0 {
+                return Ok(self.config.skeletons_per_state.max(1));
+            }
+        }
+        Ok(1)
+    }
+
+    fn search_then_sample<R: Rng, const N: usize>(
         &mut self,
-        search: &mut Search<'_, impl Rng + Clone>,
+        search: &mut Search<'_, impl Rng + Clone, N>,
         initial: &W::State,
         mut samples: impl FnMut() -> R,
-        steps: &mut [Step<W::State>],
+        steps: &mut [Step<W::State, N>],
         metrics: &mut Metrics<'_>,
-    ) -> Result<Conclusion, W::Error> {
+    ) -> Result<Conclusion, W::Error>
+    where
+        W: World<N>,
+        S: Sampler<W, N>,
+        G: Guide<N>,
+    {
+        let task = search.task();
         let mut refiner = Refiner {
             world: &mut *self.world,
             sampler: &mut *self.sampler,
             initial,
-            goal: search.task().goal,
+            goal: task.goal,
             config: &self.config,
+            dead: None,
         };
         loop {
             let spent = metrics.spent().skeletons >= self.config.max_skeletons;
@@ -155,8 +185,18 @@ impl<W: World, S: Sampler<W>, G: Guide> Planner<'_, W, S, G> {
                 Err(error) => return full(error),
             };
             metrics.skeletons += 1;
+            let end = skeleton
+                .iter()
+                .fold(task.initial, |state, o| o.apply(state));
+            refiner.goal = task.reached(end).unwrap_or(task.goal);
             match refiner.refine(skeleton, &mut samples(), steps, metrics)? {
-                Refinement::Failed | Refinement::PatienceSpent => {}
+                Refinement::Failed => {
+                    if let Some(length) = refiner.dead {
+                        search.bury(length);
+                    }
+                    search.widen();
+                }
+                Refinement::PatienceSpent => {}
                 Refinement::SamplesSpent => return Ok(Conclusion::SamplesSpent),
                 Refinement::TooLong => return Ok(Conclusion::Full("steps of a plan")),
                 Refinement::Done => {

@@ -9,7 +9,7 @@ use rand_core::Rng;
 
 /// A step of a plan.
 #[derive(Clone, Debug, Default)]
-pub struct Step<S> {
+pub struct Step<S, const N: usize = 2> {
     /// The place of its operator among those of the task.
     pub operator: u16,
     /// The parameters of its controller.
@@ -19,7 +19,7 @@ pub struct Step<S> {
     /// The state afterwards.
     pub state: S,
     /// The atoms that must hold afterwards.
-    necessary: AtomSet,
+    necessary: AtomSet<N>,
     /// How often it was tried since the step before changed.
     tries: u32,
     max_tries: u32,
@@ -47,7 +47,7 @@ pub enum Refinement {
 /// regressed through the rest of the skeleton. A step whose tries are spent begins
 /// anew when the step before was tried again.
 #[derive(Debug)]
-pub struct Refiner<'a, W: World, S> {
+pub struct Refiner<'a, W: World<N>, S, const N: usize = 2> {
     /// Where the steps are tried.
     pub world: &'a mut W,
     /// Where their parameters come from.
@@ -55,12 +55,25 @@ pub struct Refiner<'a, W: World, S> {
     /// The state to begin in.
     pub initial: &'a W::State,
     /// What shall hold in the end.
-    pub goal: AtomSet,
+    pub goal: AtomSet<N>,
     /// The limits.
     pub config: &'a Config,
+    /// If a skeleton failed at a step without parameters, after none but such, whose
+    /// controller took no action: how many steps these are. No skeleton that begins with
+    /// them can be refined.
+    pub dead: Option<usize>,
 }
 
-impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
+/// What came of a try of a step.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tried {
+    Works,
+    Fails,
+    /// Its controller took no action.
+    NoAction,
+}
+
+impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
     /// Refines a plan skeleton. `steps` becomes the plan if this is
     /// [`Refinement::Done`].
     ///
@@ -68,16 +81,17 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
     /// Those of the world and the sampler.
     pub fn refine<R: Rng>(
         &mut self,
-        skeleton: Skeleton<'_>,
+        skeleton: Skeleton<'_, N>,
         rng: &mut R,
-        steps: &mut [Step<W::State>],
+        steps: &mut [Step<W::State, N>],
         metrics: &mut Metrics<'_>,
     ) -> Result<Refinement, W::Error> {
         let Some(steps) = steps.get_mut(..skeleton.len()) else {
             return Ok(Refinement::TooLong);
         };
         self.prepare(skeleton, steps)?;
-        let mut at = 0;
+        self.dead = None;
+        let (mut at, mut tried_out) = (0, false);
         while let Some(operator) = skeleton.get(at) {
             let Some((done, [step, ..])) = steps.split_at_mut_checked(at) else {
                 break;
@@ -97,14 +111,24 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
                 advised: metrics.advised.is_none(),
             };
             let actions = done.iter().map(|step| u64::from(step.actions)).sum();
-            if self.try_step(&draw, step, actions, rng, metrics)? {
+            let tried = self.try_step(&draw, step, actions, rng, metrics)?;
+            if tried == Tried::Works {
                 at += 1;
                 continue;
             }
+            let is_fixed = |step: &Step<W::State, N>| step.max_tries == 1;
+            if tried == Tried::NoAction && is_fixed(step) && done.iter().all(is_fixed) {
+                self.dead = Some(at + 1);
+            }
             metrics.fail(operator.operator);
+            // More tries of a step with parameters might have helped.
+            tried_out |= step.max_tries > 1;
             match step_back(steps, at) {
                 Some(earlier) => at = earlier,
-                None => return Ok(Refinement::Failed),
+                None => {
+                    metrics.tries_spent += u32::from(tried_out);
+                    return Ok(Refinement::Failed);
+                }
             }
         }
         Ok(Refinement::Done)
@@ -114,8 +138,8 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
     /// necessary atoms.
     fn prepare(
         &self,
-        skeleton: Skeleton<'_>,
-        steps: &mut [Step<W::State>],
+        skeleton: Skeleton<'_, N>,
+        steps: &mut [Step<W::State, N>],
     ) -> Result<(), W::Error> {
         let mut necessary = self.goal;
         let places = steps.iter_mut().zip(skeleton.places());
@@ -133,16 +157,15 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
         Ok(())
     }
 
-    /// Draws parameters of a step and tries them, after so many actions. Whether
-    /// they work.
+    /// Draws parameters of a step and tries them, after so many actions.
     fn try_step<R: Rng>(
         &mut self,
-        draw: &Draw<'_, W::State>,
-        step: &mut Step<W::State>,
+        draw: &Draw<'_, W::State, N>,
+        step: &mut Step<W::State, N>,
         actions_before: u64,
         rng: &mut R,
         metrics: &mut Metrics<'_>,
-    ) -> Result<bool, W::Error> {
+    ) -> Result<Tried, W::Error> {
         step.tries = draw.attempt;
         step.parameters = match self.sampler.sample(draw, rng)? {
             Drawn::Parameters(parameters) => parameters,
@@ -154,7 +177,12 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
                 step.tries = step.max_tries;
                 metrics.empty_draws += 1;
                 metrics.blame(reason);
-                return Ok(false);
+                return Ok(Tried::Fails);
+            }
+            Drawn::Nothing => {
+                // It counts, so that tries without parameters end, too.
+                metrics.samples += 1;
+                return Ok(Tried::Fails);
             }
         };
         metrics.samples += 1;
@@ -165,21 +193,24 @@ impl<W: World, S: Sampler<W>> Refiner<'_, W, S> {
             .execute(operator, &step.parameters, before, after)?;
         let actions = u64::from(step.actions);
         metrics.actions += actions;
-        if actions == 0 || actions_before + actions > u64::from(self.config.max_actions) {
-            return Ok(false);
+        if actions == 0 {
+            return Ok(Tried::NoAction);
+        }
+        if actions_before + actions > u64::from(self.config.max_actions) {
+            return Ok(Tried::Fails);
         }
         for atom in step.necessary.places() {
             if !self.world.holds(atom, after)? {
-                return Ok(false);
+                return Ok(Tried::Fails);
             }
         }
-        Ok(true)
+        Ok(Tried::Works)
     }
 }
 
 /// Where to go on after a try of the step `at` failed: there, or at the last step
 /// before that has tries left; those of the steps between begin anew.
-fn step_back<S>(steps: &mut [Step<S>], at: usize) -> Option<usize> {
+fn step_back<S, const N: usize>(steps: &mut [Step<S, N>], at: usize) -> Option<usize> {
     for (place, step) in steps.iter_mut().enumerate().take(at + 1).rev() {
         if step.tries < step.max_tries {
             return Some(place);

@@ -8,14 +8,14 @@ pub const MAX_SKELETON: usize = 128;
 /// A sequence of ground operators without their continuous parameters: a plan
 /// skeleton, or a prefix of one.
 #[derive(Clone, Copy, Debug)]
-pub struct Skeleton<'s> {
-    operators: &'s [GroundOperator],
+pub struct Skeleton<'s, const N: usize = 2> {
+    operators: &'s [GroundOperator<N>],
     places: &'s [u16],
 }
 
-impl<'s> Skeleton<'s> {
+impl<'s, const N: usize> Skeleton<'s, N> {
     /// The operators of a task at these places.
-    pub fn new(operators: &'s [GroundOperator], places: &'s [u16]) -> Self {
+    pub fn new(operators: &'s [GroundOperator<N>], places: &'s [u16]) -> Self {
         Skeleton { operators, places }
     }
 
@@ -35,12 +35,12 @@ impl<'s> Skeleton<'s> {
     }
 
     /// The operator of a step, from zero.
-    pub fn get(&self, step: usize) -> Option<&'s GroundOperator> {
+    pub fn get(&self, step: usize) -> Option<&'s GroundOperator<N>> {
         self.operators.get(usize::from(*self.places.get(step)?))
     }
 
     /// The operators in order.
-    pub fn iter(&self) -> impl DoubleEndedIterator<Item = &'s GroundOperator> + use<'s> {
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = &'s GroundOperator<N>> + use<'s, N> {
         let operators = self.operators;
         let places = self.places.iter();
         places.filter_map(move |place| operators.get(usize::from(*place)))
@@ -48,7 +48,7 @@ impl<'s> Skeleton<'s> {
 
     /// The part before a step.
     #[must_use]
-    pub fn until(&self, step: usize) -> Skeleton<'s> {
+    pub fn until(&self, step: usize) -> Skeleton<'s, N> {
         Skeleton {
             operators: self.operators,
             places: self.places.get(..step).unwrap_or(self.places),
@@ -57,7 +57,7 @@ impl<'s> Skeleton<'s> {
 
     /// The part from a step on; empty behind the last.
     #[must_use]
-    pub fn from(&self, step: usize) -> Skeleton<'s> {
+    pub fn from(&self, step: usize) -> Skeleton<'s, N> {
         Skeleton {
             operators: self.operators,
             places: self.places.get(step..).unwrap_or_default(),

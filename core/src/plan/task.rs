@@ -8,13 +8,34 @@ use heapless::Vec;
 /// A task in the abstract (a STRIPS problem). Where its ground operators come from
 /// does not matter.
 #[derive(Clone, Copy, Debug)]
-pub struct AbstractTask<'t> {
+pub struct AbstractTask<'t, const N: usize = 2> {
     /// All ground operators, in the order in which they are tried.
-    pub operators: &'t [GroundOperator],
+    pub operators: &'t [GroundOperator<N>],
     /// What holds in the beginning.
-    pub initial: AtomSet,
+    pub initial: AtomSet<N>,
     /// What shall hold in the end.
-    pub goal: AtomSet,
+    pub goal: AtomSet<N>,
+}
+
+impl<'t, const N: usize> AbstractTask<'t, N> {
+    /// The actions whose preconditions hold in a state, each with its place.
+    pub(super) fn applicable(
+        &self,
+        state: AtomSet<N>,
+    ) -> impl Iterator<Item = (u16, &'t GroundOperator<N>)> + use<'t, N> {
+        let all = (0..).zip(self.operators);
+        all.filter(move |(_, o)| !o.is_goal() && o.is_applicable(state))
+    }
+
+    /// Of the sets of atoms that reach the goal, the first that holds in a state; `None`
+    /// if none does. Mostly there is only [`Self::goal`]; alternatives to it stand behind
+    /// all operators, see [`GroundOperator::is_goal`].
+    pub fn reached(&self, state: AtomSet<N>) -> Option<AtomSet<N>> {
+        let operators = self.operators.iter().rev();
+        let alternatives = operators.take_while(|operator| operator.is_goal());
+        let goals = core::iter::once(self.goal).chain(alternatives.map(|o| o.preconditions));
+        goals.into_iter().find(|goal| goal.is_subset(state))
+    }
 }
 
 /// A task of an environment with all that a planner needs to know of it, for up to

@@ -7,7 +7,7 @@ use crate::task::{Atoms, Environment, GroundOperator, Parameters, Rollout, State
 use rand_core::Rng;
 
 /// Where operators can be tried: a simulator with its predicates.
-pub trait World {
+pub trait World<const N: usize = 2> {
     /// A low-level state. The planner writes into states that the caller lends, and
     /// never looks into one.
     type State;
@@ -19,7 +19,7 @@ pub trait World {
     ///
     /// # Errors
     /// If there is no such operator.
-    fn parameters(&self, operator: &GroundOperator) -> Result<usize, Self::Error>;
+    fn parameters(&self, operator: &GroundOperator<N>) -> Result<usize, Self::Error>;
 
     /// Whether the atom at a place of the task's atoms holds in a state.
     ///
@@ -35,7 +35,7 @@ pub trait World {
     /// Those of the world.
     fn execute(
         &mut self,
-        operator: &GroundOperator,
+        operator: &GroundOperator<N>,
         parameters: &[f64],
         before: &Self::State,
         after: &mut Self::State,
@@ -44,13 +44,13 @@ pub trait World {
 
 /// A step whose parameters are to be drawn.
 #[derive(Debug)]
-pub struct Draw<'a, S> {
+pub struct Draw<'a, S, const N: usize = 2> {
     /// The whole plan skeleton: what comes later may narrow what is good now.
-    pub skeleton: Skeleton<'a>,
+    pub skeleton: Skeleton<'a, N>,
     /// The step in it, from zero.
     pub step: usize,
     /// Its operator.
-    pub operator: &'a GroundOperator,
+    pub operator: &'a GroundOperator<N>,
     /// The state before it.
     pub state: &'a S,
     /// Which try of the step in this state it is, from one.
@@ -70,17 +70,22 @@ pub enum Drawn {
     /// No parameters are expected to work in this state: step back at once. This is
     /// advice, too.
     Empty(ReasonId),
+    /// None were found, and nothing is known: this try failed.
+    Nothing,
 }
 
 /// Draws the continuous parameters of a step.
-pub trait Sampler<W: World> {
+pub trait Sampler<W: World<N>, const N: usize = 2> {
     /// Draws parameters; asked for operators without any, too, which may know that
     /// they cannot work in a state.
     ///
     /// # Errors
     /// They end the planning and are passed on.
-    fn sample<R: Rng>(&mut self, draw: &Draw<'_, W::State>, rng: &mut R)
-    -> Result<Drawn, W::Error>;
+    fn sample<R: Rng>(
+        &mut self,
+        draw: &Draw<'_, W::State, N>,
+        rng: &mut R,
+    ) -> Result<Drawn, W::Error>;
 }
 
 /// An [`Environment`] as a world to plan in, and as its own sampler: the original

@@ -4,11 +4,30 @@ use super::state::{ObjectId, State, TypeId};
 use crate::error::Error;
 
 /// Most arguments of a predicate, and most parameters of an operator.
-pub const MAX_ARGUMENTS: usize = 4;
+pub const MAX_ARGUMENTS: usize = 10;
 
 /// Index of a [`Predicate`] in the table of its environment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct PredicateId(pub u8);
+
+impl PredicateId {
+    const NEGATION: u8 = 0x80;
+
+    /// Of the atom that stands for a goal with alternatives.
+    pub(crate) const GOAL: PredicateId = PredicateId(0x7F);
+
+    /// The predicate that holds for what this one does not hold for, and the other way
+    /// round. PDDL texts have such atoms, where a precondition or a goal is negative.
+    #[must_use]
+    pub fn negation(self) -> PredicateId {
+        PredicateId(self.0 ^ Self::NEGATION)
+    }
+
+    /// Whether it is the negation of a predicate of the table.
+    pub fn is_negation(self) -> bool {
+        self.0 & Self::NEGATION != 0
+    }
+}
 
 /// A predicate psi: a property of objects that holds in a state or does not.
 pub struct Predicate<E> {
@@ -31,6 +50,12 @@ pub struct Arguments {
 }
 
 impl Arguments {
+    /// No objects.
+    pub const NONE: Arguments = Arguments {
+        objects: [ObjectId(0); MAX_ARGUMENTS],
+        count: 0,
+    };
+
     /// These objects.
     ///
     /// # Errors
@@ -129,6 +154,22 @@ pub struct GroundAtom {
     pub predicate: PredicateId,
     /// Its arguments.
     pub objects: Arguments,
+}
+
+impl GroundAtom {
+    /// Whether it is no atom of the world, but stands for a goal with alternatives.
+    pub fn is_goal(&self) -> bool {
+        self.predicate == PredicateId::GOAL
+    }
+
+    /// The atom that holds where this one does not.
+    #[must_use]
+    pub fn negation(self) -> GroundAtom {
+        GroundAtom {
+            predicate: self.predicate.negation(),
+            ..self
+        }
+    }
 }
 
 /// All ways to fill typed places with objects of a state, the last place changing

@@ -10,6 +10,11 @@ use heapless::VecView;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct OperatorId(pub u8);
 
+impl OperatorId {
+    /// Of no operator of a table: that one of the alternatives of a goal holds.
+    pub const GOAL: OperatorId = OperatorId(u8::MAX);
+}
+
 /// Index of a [`Controller`](super::Controller) in the table of its environment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ControllerId(pub u8);
@@ -64,6 +69,7 @@ impl Operator<'_> {
         Some(GroundOperator {
             operator: id,
             objects,
+            cost: 1,
             preconditions: set(self.preconditions)?,
             add_effects: set(self.add_effects)?,
             delete_effects: deleted.fold(AtomSet::EMPTY, AtomSet::union),
@@ -74,27 +80,45 @@ impl Operator<'_> {
 /// An operator with objects for its parameters; its atoms are sets over the
 /// [`Atoms`] of the task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct GroundOperator {
+pub struct GroundOperator<const N: usize = 2> {
     /// The operator.
     pub operator: OperatorId,
     /// The objects, one for each parameter.
     pub objects: Arguments,
+    /// What it costs; 1 unless a PDDL text says otherwise.
+    pub cost: u32,
     /// What must hold before.
-    pub preconditions: AtomSet,
+    pub preconditions: AtomSet<N>,
     /// What holds afterwards.
-    pub add_effects: AtomSet,
+    pub add_effects: AtomSet<N>,
     /// What no longer holds afterwards, unless it is added.
-    pub delete_effects: AtomSet,
+    pub delete_effects: AtomSet<N>,
 }
 
-impl GroundOperator {
+impl<const N: usize> GroundOperator<N> {
+    /// An operator that does nothing, to fill tables with.
+    pub const NONE: GroundOperator<N> = GroundOperator {
+        operator: OperatorId(0),
+        objects: Arguments::NONE,
+        cost: 1,
+        preconditions: AtomSet::EMPTY,
+        add_effects: AtomSet::EMPTY,
+        delete_effects: AtomSet::EMPTY,
+    };
+
+    /// Whether it is no action, but says that its preconditions reach a goal with
+    /// alternatives.
+    pub fn is_goal(&self) -> bool {
+        self.operator == OperatorId::GOAL
+    }
+
     /// Whether the preconditions hold.
-    pub fn is_applicable(&self, state: AtomSet) -> bool {
+    pub fn is_applicable(&self, state: AtomSet<N>) -> bool {
         self.preconditions.is_subset(state)
     }
 
     /// The abstract transition F: deletes, then adds.
-    pub fn apply(&self, state: AtomSet) -> AtomSet {
+    pub fn apply(&self, state: AtomSet<N>) -> AtomSet<N> {
         state
             .difference(self.delete_effects)
             .union(self.add_effects)
@@ -103,7 +127,7 @@ impl GroundOperator {
     /// What must hold before so that these atoms can hold afterwards, if nothing
     /// but the add effects changes: without those, and with the preconditions.
     #[must_use]
-    pub fn regress(&self, atoms: AtomSet) -> AtomSet {
+    pub fn regress(&self, atoms: AtomSet<N>) -> AtomSet<N> {
         atoms.difference(self.add_effects).union(self.preconditions)
     }
 }

@@ -18,14 +18,14 @@ pub struct Place(usize);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Token<'t> {
     /// A name, or several joined by dots: `stick.width`. In PDDL without dots but
-    /// with dashes: `pick-up`.
+    /// with dashes, and it may begin with a digit: `pick-up`, `4ops`.
     Name(&'t str),
     /// A variable of PDDL with its question mark: `?from`.
     Variable(&'t str),
     /// A number without sign.
     Number(f64),
-    /// One of `( ) [ ] { } , : = + - * < <= > >=`. In PDDL one of `( ) = -` or a
-    /// keyword with its colon: `:action`.
+    /// One of `( ) [ ] { } , : = + - * < <= > >=`. In PDDL one of
+    /// `( ) = - + * / < <= > >=` or a keyword with its colon: `:action`.
     Symbol(&'t str),
     /// A character or number that the language does not know.
     Unknown,
@@ -87,6 +87,11 @@ impl<'t> Lexer<'t> {
     /// Where that token stands.
     pub fn place(&self) -> Place {
         Place(self.start)
+    }
+
+    /// That place in bytes.
+    pub(crate) fn position(&self) -> usize {
+        self.start
     }
 
     /// Moves on and returns the token left behind.
@@ -214,12 +219,10 @@ impl Language {
         let (make, length): (fn(&'t str) -> Token<'t>, usize) = match (self, first) {
             _ if self.begins_name(first) => (Token::Name, self.name_length(text.as_bytes())),
             (_, b'0'..=b'9') => (number, number_length(text.as_bytes())),
-            (Language::Own, b'<' | b'>') if second == b'=' => (Token::Symbol, 2),
-            (_, b'(' | b')' | b'=' | b'-') => (Token::Symbol, 1),
-            (
-                Language::Own,
-                b'[' | b']' | b'{' | b'}' | b',' | b':' | b'+' | b'*' | b'<' | b'>',
-            ) => (Token::Symbol, 1),
+            (_, b'<' | b'>') if second == b'=' => (Token::Symbol, 2),
+            (_, b'(' | b')' | b'=' | b'-' | b'+' | b'*' | b'<' | b'>') => (Token::Symbol, 1),
+            (Language::Pddl, b'/') => (Token::Symbol, 1),
+            (Language::Own, b'[' | b']' | b'{' | b'}' | b',' | b':') => (Token::Symbol, 1),
             (Language::Pddl, b':') if self.begins_name(second) => {
                 (Token::Symbol, 1 + self.name_length(behind))
             }
@@ -236,16 +239,18 @@ impl Language {
     }
 
     fn begins_name(self, byte: u8) -> bool {
-        byte.is_ascii_alphabetic() || (self == Language::Own && byte == b'_')
+        byte.is_ascii_alphabetic()
+            || byte == b'_'
+            || (self == Language::Pddl && (byte.is_ascii_digit() || byte == b'@'))
     }
 
     fn name_length(self, text: &[u8]) -> usize {
-        let joint = match self {
-            Language::Own => b'.',
-            Language::Pddl => b'-',
+        let joints: &[u8] = match self {
+            Language::Own => b"_.",
+            Language::Pddl => b"_.-@#",
         };
         run(text, |byte| {
-            byte.is_ascii_alphanumeric() || byte == b'_' || byte == joint
+            byte.is_ascii_alphanumeric() || joints.contains(&byte)
         })
     }
 }
@@ -298,7 +303,8 @@ mod tests {
 
     #[test]
     fn words_of_pddl() {
-        let mut lexer = Lexer::pddl("(:Action pick-up ; note # note\n ?x-1 - t = ? :) _a.1");
+        let mut lexer =
+            Lexer::pddl("(:Action pick-up ; note # note\n ?x-1 - t = ? :) _a.1 8 4ops@x#1 >=");
         let expected = [
             Token::Symbol("("),
             Token::Symbol(":Action"),
@@ -310,10 +316,10 @@ mod tests {
             Token::Unknown,
             Token::Unknown,
             Token::Symbol(")"),
-            Token::Unknown,
-            Token::Name("a"),
-            Token::Unknown,
-            Token::Number(1.0),
+            Token::Name("_a.1"),
+            Token::Name("8"),
+            Token::Name("4ops@x#1"),
+            Token::Symbol(">="),
             Token::End,
         ];
         for token in expected {

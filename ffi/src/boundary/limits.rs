@@ -43,24 +43,30 @@ pub const CRITREG_STEP_BYTES: usize = 5_888;
 
 /// Bytes of a planner that do not depend on its capacity, apart from pointers; for
 /// CRITREG_PLANNER_WORDS.
-pub const CRITREG_PLANNER_FIXED_BYTES: usize = 11_776;
+pub const CRITREG_PLANNER_FIXED_BYTES: usize = 30_592;
 
 /// Pointers of a planner that do not depend on its capacity; for
 /// CRITREG_PLANNER_WORDS.
-pub const CRITREG_PLANNER_POINTERS: usize = 1_040;
+pub const CRITREG_PLANNER_POINTERS: usize = 3_168;
+
+/// Bytes of a planner for every word of sets beyond two; for CRITREG_PLANNER_WORDS_OF.
+pub const CRITREG_PLANNER_WORD_BYTES: usize = 1_320;
 
 /// Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
-pub const CRITREG_OPERATOR_BYTES: usize = 76;
+pub const CRITREG_OPERATOR_BYTES: usize = 92;
 
 /// Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
-pub const CRITREG_NODE_BYTES: usize = 42;
+pub const CRITREG_NODE_BYTES: usize = 46;
+
+/// Bytes of an atom or number of :init; for CRITREG_PLANNER_WORDS.
+pub const CRITREG_FACT_BYTES: usize = 20;
 
 /// Bytes of a step of the longest plan, apart from its state and pointers; for
 /// CRITREG_PLANNER_WORDS.
-pub const CRITREG_PLAN_STEP_BYTES: usize = 112;
+pub const CRITREG_PLAN_STEP_BYTES: usize = 136;
 
 /// Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
-pub const CRITREG_PLAN_STEP_POINTERS: usize = 7;
+pub const CRITREG_PLAN_STEP_POINTERS: usize = 13;
 
 /// Most parameters of an action: an array for theta of this length fits every
 /// domain.

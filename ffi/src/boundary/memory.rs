@@ -112,19 +112,22 @@ macro_rules! append {
 pub(crate) use append;
 
 /// Declares a struct of parts, and the function that appends them in this order: of each
-/// what is in it, and how many.
+/// what is in it, and how many. Generic over a type of numbers, or over words of a set in
+/// square brackets.
 macro_rules! parts {
     (
         $(#[$doc:meta])*
-        $name:ident $(<$real:ident>)? with $capacity:ident: $capacities:ty;
+        $name:ident $(<$real:ident>)? $([$words:ident])? with $capacity:ident: $capacities:ty;
         $($part:ident: $entry:ty, $count:expr;)*
     ) => {
         $(#[$doc])*
-        pub(crate) struct $name $(<$real: 'static>)? {
+        pub(crate) struct $name $(<$real: 'static>)? $(<const $words: usize>)? {
             $(pub(crate) $part: Part<$entry>,)*
         }
 
-        impl $(<$real: 'static>)? $name $(<$real>)? {
+        impl $(<$real: 'static>)? $(<const $words: usize>)?
+            $name $(<$real>)? $(<$words>)?
+        {
             /// `None` if memory cannot be that long.
             pub(crate) const fn new(packer: &mut Packer, $capacity: $capacities) -> Option<Self> {
                 Some($name {

@@ -157,7 +157,9 @@ pub type critreg_holds = Option<
 /// @param rng Random numbers. They follow from the seed of critreg_plan().
 /// @param drawn Receives the parameters, or why there are none.
 /// @return CRITREG_OK; CRITREG_EMPTY_REGION if no parameters are expected to work in
-/// this state, upon which an earlier step is tried again; or what shall stop planning.
+/// this state, upon which an earlier step is tried again; CRITREG_NO_SAMPLE if none were
+/// found, which is a failed try like any other; or what shall stop planning. So what
+/// critreg_sample_region() returned may be passed on.
 pub type critreg_sample = Option<
     unsafe extern "C" fn(
         user_data: *mut c_void,

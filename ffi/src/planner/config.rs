@@ -21,7 +21,7 @@ pub const CRITREG_H_ADD: u32 = 3;
 pub const CRITREG_BLIND: u32 = 4;
 
 /// Most objects of an atom, and most parameters of a PDDL action.
-pub const CRITREG_MAX_ARGUMENTS: usize = 4;
+pub const CRITREG_MAX_ARGUMENTS: usize = 10;
 
 /// Most operators in a plan, and in a sequence of them.
 pub const CRITREG_MAX_PLAN_LENGTH: u32 = 128;
@@ -38,6 +38,15 @@ pub const CRITREG_DEFAULT_OPERATORS: u32 = 256;
 
 /// Nodes of the search that a planner has room for unless the configuration tells.
 pub const CRITREG_DEFAULT_NODES: u32 = 4096;
+
+/// Ground atoms that a planner has room for unless the configuration tells.
+pub const CRITREG_DEFAULT_ATOMS: u32 = 128;
+
+/// Most ground atoms of a planner.
+pub const CRITREG_MAX_ATOMS: u32 = 1024;
+
+/// Atoms and numbers of :init that a planner has room for unless the configuration tells.
+pub const CRITREG_DEFAULT_FACTS: u32 = 512;
 
 /// Longest domain or problem text of a planner in bytes, with its NUL.
 pub const CRITREG_PDDL_TEXT_MAX: usize = 65_536;
@@ -71,7 +80,7 @@ pub struct critreg_planner_config {
     pub max_length: u32,
     /// Most low-level actions in a plan, as execute counts them. Default 100.
     pub max_actions: u32,
-    /// Most calls of execute. Default 10000.
+    /// Most calls of execute, with tries for which sample found nothing. Default 10000.
     pub max_samples: u32,
     /// How many nodes are expanded and samples drawn with advice: what advise
     /// postpones, what sample draws from a region or finds to be empty. If there is
@@ -89,6 +98,20 @@ pub struct critreg_planner_config {
     /// Nodes of the search to have room for: sequences of operators that are
     /// created. Default CRITREG_DEFAULT_NODES.
     pub nodes: u32,
+    /// Ground atoms to have room for that can change, and negations that preconditions
+    /// ask for. Sets of them have room for 128, 512 or 1024, so that is what each operator
+    /// and node takes memory for. Default CRITREG_DEFAULT_ATOMS, at most
+    /// CRITREG_MAX_ATOMS.
+    pub atoms: u32,
+    /// Atoms and numbers of :init to have room for. Default CRITREG_DEFAULT_FACTS.
+    pub facts: u32,
+    /// How many sequences that lead to one abstract state are extended before all others
+    /// are; more only if a skeleton cannot be refined, or nothing else is left. Where no
+    /// action has parameters it is 1. Default 4. 0 is no bound: then a beginning of a
+    /// skeleton that cannot work is tried again in others, too.
+    pub skeletons_per_state: u32,
+    /// Always 0.
+    pub reserved: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -96,12 +119,17 @@ unsafe impl Versioned for critreg_planner_config {
     const FIRST: usize = size_of::<critreg_planner_config>();
 }
 
+/// Links between atoms and an operator, on the average at most.
+pub(crate) const LINKS_OF_OPERATOR: usize = 8;
+
 /// What a planner has room for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PlannerCapacity {
     pub(crate) pddl_bytes: usize,
     pub(crate) operators: usize,
     pub(crate) nodes: usize,
+    pub(crate) atoms: usize,
+    pub(crate) facts: usize,
     pub(crate) length: usize,
     pub(crate) state_len: usize,
 }
@@ -109,7 +137,7 @@ pub(crate) struct PlannerCapacity {
 impl PlannerCapacity {
     /// Links between atoms and operators.
     pub(crate) const fn links(self) -> usize {
-        self.operators.saturating_mul(8)
+        self.operators.saturating_mul(LINKS_OF_OPERATOR)
     }
 
     /// Estimates of the heuristic to remember.
@@ -138,6 +166,10 @@ fn defaults() -> critreg_planner_config {
         pddl_bytes: CRITREG_DEFAULT_PDDL_BYTES,
         operators: CRITREG_DEFAULT_OPERATORS,
         nodes: CRITREG_DEFAULT_NODES,
+        atoms: CRITREG_DEFAULT_ATOMS,
+        facts: CRITREG_DEFAULT_FACTS,
+        skeletons_per_state: 4,
+        reserved: 0,
     }
 }
 
@@ -166,10 +198,15 @@ impl critreg_planner_config {
         if self.max_tries == 0 {
             return Err(Failure::invalid("config.max_tries is at least 1"));
         }
+        if self.atoms > CRITREG_MAX_ATOMS {
+            return Err(Failure::invalid("config.atoms is at most 1024"));
+        }
         Ok(PlannerCapacity {
             pddl_bytes: self.pddl_bytes as usize,
             operators: self.operators as usize,
             nodes: self.nodes as usize,
+            atoms: self.atoms as usize,
+            facts: self.facts as usize,
             length: self.max_length as usize,
             state_len: self.state_len as usize,
         })
@@ -191,6 +228,10 @@ impl critreg_planner_config {
             max_length: self.max_length as usize,
             max_actions: self.max_actions,
             max_samples: self.max_samples,
+            skeletons_per_state: match self.skeletons_per_state {
+                0 => u32::MAX,
+                bound => bound,
+            },
             patience: self.patience,
         })
     }

@@ -4,6 +4,7 @@ use crate::boundary::handle::{self, Exclusive, Handle};
 use crate::boundary::status::{Fallible, critreg_status};
 use crate::planner::metrics::critreg_metrics;
 use crate::planner::tables::Tables;
+use crate::planner::why::Reason;
 use core::cell::Cell;
 use core::fmt;
 use critreg_core::pddl::Problem;
@@ -15,6 +16,8 @@ pub struct critreg_planner {
     seal: usize,
     /// What the last call left behind, also readable from a callback.
     pub(crate) metrics: Cell<critreg_metrics>,
+    /// Why the last planning found no plan.
+    pub(crate) reason: Cell<Reason>,
     /// The atom that the last failure is about, if it is one.
     pub(crate) culprit: Cell<Option<GroundAtom>>,
     problem: &'static Problem<'static>,
@@ -41,6 +44,10 @@ unsafe impl Handle for critreg_planner {
 }
 
 impl critreg_planner {
+    pub(crate) fn problem(&self) -> &'static Problem<'static> {
+        self.problem
+    }
+
     /// Writes and seals a handle; what lay there before is lost.
     ///
     /// # Safety
@@ -49,6 +56,7 @@ impl critreg_planner {
         let made = critreg_planner {
             seal: 0,
             metrics: Cell::new(critreg_metrics::NONE),
+            reason: Cell::new(Reason::Nothing),
             culprit: Cell::new(None),
             problem: tables.problem,
             inner: Exclusive::new(Inner {

@@ -39,8 +39,9 @@ pub struct critreg_metrics {
     pub conclusion: u32,
     /// Operators in the plan.
     pub plan_length: u32,
-    /// Tries of a step: parameters were drawn and execute was called. Steps
-    /// without parameters count too, so the length of the plan is the least.
+    /// Tries of a step: parameters were drawn and execute was called, or
+    /// CRITREG_NO_SAMPLE was returned. Steps without parameters count too, so the length
+    /// of the plan is the least.
     pub samples: u32,
     /// Plan skeletons that were refined.
     pub skeletons: u32,
@@ -71,8 +72,9 @@ pub struct critreg_metrics {
     /// The reason that was given most often: why no plan was found.
     /// CRITREG_NO_REASON if none was.
     pub main_reason: u32,
-    /// Always 0.
-    pub reserved: u32,
+    /// Sequences that were not extended at first, as enough others lead to the same
+    /// abstract state; see critreg_planner_config.skeletons_per_state.
+    pub repeated: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -100,7 +102,7 @@ impl critreg_metrics {
         actions: 0,
         most_failed: core::ptr::null(),
         main_reason: CRITREG_NO_REASON,
-        reserved: 0,
+        repeated: 0,
     };
 
     /// Of a planning that a callback stopped.
@@ -134,6 +136,7 @@ impl critreg_metrics {
             informed_draws: metrics.informed_draws,
             patience_ended: u32::from(metrics.advised.is_some()),
             uncounted: metrics.uncounted,
+            repeated: metrics.repeated,
             actions: metrics.actions,
             most_failed: most_failed.unwrap_or(core::ptr::null()),
             main_reason: reason.unwrap_or(CRITREG_NO_REASON),

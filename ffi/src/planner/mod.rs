@@ -10,6 +10,7 @@
 //! | [`making`] | making one |
 //! | `world` | the callbacks as the world, the sampler and the guide of the core's planner |
 //! | [`planning`], [`step`] | planning; the steps of the plan |
+//! | [`why`] | why there is no plan |
 //! | [`metrics`], [`inspection`] | what planning cost and what stood in its way, on request |
 
 pub mod callbacks;
@@ -23,4 +24,5 @@ pub(crate) mod names;
 pub mod planning;
 pub mod step;
 pub(crate) mod tables;
+pub mod why;
 pub(crate) mod world;

@@ -32,7 +32,7 @@ impl Names {
         self.ground(&self.predicates, atom.predicate.0, atom.objects.as_slice())
     }
 
-    pub(crate) fn operator(&self, ground: &GroundOperator) -> critreg_ground {
+    pub(crate) fn operator<const N: usize>(&self, ground: &GroundOperator<N>) -> critreg_ground {
         self.ground(&self.actions, ground.operator.0, ground.objects.as_slice())
     }
 

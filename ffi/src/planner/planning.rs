@@ -5,13 +5,17 @@ use crate::boundary::status::{Failure, Fallible, critreg_status};
 use crate::planner::callbacks::critreg_callbacks;
 use crate::planner::handle::{Inner, critreg_planner, with_planner};
 use crate::planner::metrics::{critreg_metrics, verdict};
-use crate::planner::tables::Tables;
-use crate::planner::world::{Advisor, Draws, Program};
+use crate::planner::tables::{Numbers, SetTables, Tables, with_sets};
+use crate::planner::why::Reason;
+use crate::planner::world::{Advisor, Draws, Program, Sequence};
 use core::ffi::c_void;
 use critreg_core::Error;
-use critreg_core::plan::{AbstractTask, HeuristicMemory, Memory, Planner, SearchMemory};
+use critreg_core::plan::{
+    self, AbstractTask, Conclusion, HeuristicMemory, Memory, Planner, Progress, SearchMemory,
+    Waiting,
+};
 use critreg_core::random::generator;
-use critreg_core::task::AtomSet;
+use critreg_core::task::{AtomSet, GroundAtom};
 
 /// Plans from a state: first which operators, then with which parameters.
 ///
@@ -57,6 +61,7 @@ pub unsafe extern "C" fn critreg_plan(
             inner.plan_length = 0;
             handle.culprit.set(None);
             handle.metrics.set(critreg_metrics::NONE);
+            handle.reason.set(Reason::Nothing);
             let callbacks = critreg_callbacks::read(callbacks)?;
             let tables = &mut inner.tables;
             let state_len = tables.initial.len();
@@ -68,6 +73,7 @@ pub unsafe extern "C" fn critreg_plan(
             let result = plan(handle, inner, &callbacks, user_data, seed);
             if let Err(Failure::Stopped(..)) = result {
                 handle.metrics.set(critreg_metrics::STOPPED);
+                handle.reason.set(Reason::Stopped);
             }
             result?;
             if let Some(length) = length {
@@ -86,80 +92,141 @@ fn plan(
     seed: u64,
 ) -> Fallible {
     let Tables {
-        grounding,
         names,
         ranges,
-        operators,
         progress,
         links,
-        estimates,
-        nodes,
         open,
+        visited,
         initial,
-        steps,
         sequence,
         failures,
         reasons,
+        sets,
         ..
     } = &mut inner.tables;
-    let program = Program {
-        callbacks,
-        user_data,
-        names,
-        ranges,
-        atoms: grounding.atoms(),
-    };
-    callbacks.execute.ok_or(Failure::Null("execute"))?;
-    check_initial(handle, &program, grounding.initial(), initial)?;
-    let task = AbstractTask {
-        operators,
-        initial: grounding.initial(),
-        goal: grounding.goal(),
-    };
-    let memory = Memory {
-        search: SearchMemory {
-            heuristic: HeuristicMemory {
-                operators: progress,
-                links,
-                cache: estimates,
-            },
-            nodes,
-            open,
+    let call = Call {
+        handle,
+        program: Program {
+            callbacks,
+            user_data,
+            names,
+            ranges,
+            atoms: &[],
         },
-        steps,
+        initial,
+        sequence,
+        settings: inner.settings,
+        seed,
+    };
+    let shared = Shared {
+        progress,
+        links,
+        open,
+        visited,
         failures,
         reasons,
     };
-    let mut guide = Advisor {
-        program,
-        sequence,
-        initial,
-        stopped: None,
-    };
-    let mut planner = Planner {
-        world: &mut { program },
-        sampler: &mut Draws { program, sequence },
-        guide: &mut guide,
-        config: inner.settings,
-    };
-    let planned = planner.plan(task, initial, generator(seed), || generator(seed), memory)?;
-    if let Some(failure) = guide.stopped {
-        return Err(failure);
+    let (conclusion, length) = with_sets!(sets, sets => call.plan(sets, shared))?;
+    inner.plan_length = length;
+    verdict(conclusion)
+}
+
+/// What a planning needs of the tables, apart from sets.
+struct Shared<'a> {
+    progress: &'a mut [Progress],
+    links: &'a mut [u16],
+    open: &'a mut [Waiting],
+    visited: &'a mut [u32],
+    failures: &'a mut [u32],
+    reasons: &'a mut [u32],
+}
+
+/// A call of critreg_plan().
+struct Call<'a> {
+    handle: &'a critreg_planner,
+    program: Program<'a>,
+    initial: &'a Numbers,
+    sequence: Sequence<'a>,
+    settings: plan::Config,
+    seed: u64,
+}
+
+impl Call<'_> {
+    /// How planning ended, and how long the plan is.
+    fn plan<const N: usize>(
+        &self,
+        sets: &mut SetTables<N>,
+        shared: Shared<'_>,
+    ) -> Fallible<(Conclusion, usize)> {
+        let program = Program {
+            atoms: sets.grounding.atoms().as_slice(),
+            ..self.program
+        };
+        program.callbacks.execute.ok_or(Failure::Null("execute"))?;
+        check_initial(
+            self.handle,
+            &program,
+            sets.grounding.initial(),
+            self.initial,
+        )?;
+        let task = AbstractTask {
+            operators: sets.operators,
+            initial: sets.grounding.initial(),
+            goal: sets.grounding.goal(),
+        };
+        let memory = Memory {
+            search: SearchMemory {
+                heuristic: HeuristicMemory {
+                    operators: shared.progress,
+                    links: shared.links,
+                    cache: sets.estimates,
+                },
+                nodes: sets.nodes,
+                open: shared.open,
+                visited: shared.visited,
+            },
+            steps: sets.steps,
+            failures: shared.failures,
+            reasons: shared.reasons,
+        };
+        let mut guide = Advisor {
+            program,
+            sequence: self.sequence,
+            initial: self.initial,
+            stopped: None,
+        };
+        let mut planner = Planner {
+            world: &mut { program },
+            sampler: &mut Draws {
+                program,
+                sequence: self.sequence,
+            },
+            guide: &mut guide,
+            config: self.settings,
+        };
+        let (lots, samples) = (generator(self.seed), || generator(self.seed));
+        let planned = planner.plan(task, self.initial, lots, samples, memory)?;
+        if let Some(failure) = guide.stopped {
+            return Err(failure);
+        }
+        let metrics = critreg_metrics::new(planned.conclusion, &planned.metrics, program.names);
+        self.handle.metrics.set(metrics);
+        let reason = Reason::new(&planned, sets.missing, &self.settings);
+        self.handle.reason.set(reason);
+        Ok((planned.conclusion, planned.steps.len()))
     }
-    let metrics = critreg_metrics::new(planned.conclusion, &planned.metrics, names);
-    handle.metrics.set(metrics);
-    inner.plan_length = planned.steps.len();
-    verdict(planned.conclusion)
 }
 
 /// Checks that those atoms hold in the initial state that the problem says.
-fn check_initial(
+fn check_initial<const N: usize>(
     handle: &critreg_planner,
     program: &Program<'_>,
-    expected: AtomSet,
+    expected: AtomSet<N>,
     initial: &[f64],
 ) -> Fallible {
-    for (place, atom) in (0..).zip(program.atoms.as_slice()) {
+    let asked = |atom: &&GroundAtom| !atom.is_goal() && !atom.predicate.is_negation();
+    for (place, atom) in (0..).zip(program.atoms).filter(|(_, atom)| asked(atom)) {
         if program.holds(atom, initial)? != expected.contains(place) {
             handle.culprit.set(Some(*atom));
             let what = "initial state and :init do not agree about an atom";

@@ -5,6 +5,8 @@ use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
 use crate::planner::callbacks::critreg_ground;
 use crate::planner::handle::{Inner, critreg_planner, with_planner};
+use crate::planner::names::Names;
+use crate::planner::tables::{SetTables, with_sets};
 
 /// A step of a plan.
 #[repr(C)]
@@ -75,15 +77,19 @@ pub unsafe extern "C" fn critreg_planner_step(
 
 impl Inner {
     fn step(&self, index: usize) -> Fallible<critreg_step> {
-        let plan = self.tables.steps.get(..self.plan_length);
-        let found = plan.and_then(|plan| plan.get(index));
-        let operator = found.and_then(|s| self.tables.operators.get(usize::from(s.operator)));
-        let (Some(found), Some(operator)) = (found, operator) else {
-            return Err(Failure::invalid("the plan has no such step"));
-        };
+        let index = Some(index).filter(|index| *index < self.plan_length);
+        let found = with_sets!(&self.tables.sets, sets => sets.step(index, self.tables.names));
+        found.ok_or(Failure::invalid("the plan has no such step"))
+    }
+}
+
+impl<const N: usize> SetTables<N> {
+    fn step(&self, index: Option<usize>, names: &Names) -> Option<critreg_step> {
+        let found = self.steps.get(index?)?;
+        let operator = self.operators.get(usize::from(found.operator))?;
         let mut step = critreg_step {
             actions: found.actions,
-            ground: self.tables.names.operator(operator),
+            ground: names.operator(operator),
             parameter_count: found.parameters.len(),
             state: found.state.as_ptr(),
             ..NO_STEP
@@ -91,6 +97,6 @@ impl Inner {
         for (value, own) in step.parameters.iter_mut().zip(&found.parameters) {
             *value = *own;
         }
-        Ok(step)
+        Some(step)
     }
 }

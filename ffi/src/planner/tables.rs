@@ -8,7 +8,7 @@ use crate::planner::names::Names;
 use core::cell::Cell;
 use core::ffi::c_char;
 use critreg_core::domain::MAX_PARAMETERS;
-use critreg_core::pddl::{Grounding, Problem};
+use critreg_core::pddl::{Grounding, Missing, Problem};
 use critreg_core::plan::{Cached, Progress, SearchNode, Step, Waiting};
 use critreg_core::task::GroundOperator;
 
@@ -41,22 +41,51 @@ impl Ranges {
 /// The parts of a planner, filled.
 pub(crate) struct Tables {
     pub(crate) problem: &'static Problem<'static>,
-    pub(crate) grounding: &'static Grounding<'static, 'static>,
     pub(crate) names: &'static Names,
     /// The ranges of each action.
     pub(crate) ranges: &'static mut [Ranges],
-    pub(crate) operators: &'static [GroundOperator],
     pub(crate) progress: &'static mut [Progress],
     pub(crate) links: &'static mut [u16],
-    pub(crate) estimates: &'static mut [Cached],
-    pub(crate) nodes: &'static mut [SearchNode],
     pub(crate) open: &'static mut [Waiting],
+    pub(crate) visited: &'static mut [u32],
     pub(crate) initial: Numbers,
-    pub(crate) steps: &'static mut [Step<Numbers>],
     pub(crate) sequence: &'static [Cell<critreg_ground>],
     pub(crate) failures: &'static mut [u32],
     pub(crate) reasons: &'static mut [u32],
+    pub(crate) sets: Sets,
 }
+
+/// What holds sets of atoms with `N` words.
+pub(crate) struct SetTables<const N: usize> {
+    pub(crate) grounding: &'static Grounding<'static, 'static, N>,
+    pub(crate) operators: &'static [GroundOperator<N>],
+    /// What is missing for the goal, if it cannot be reached.
+    pub(crate) missing: Option<Missing>,
+    pub(crate) estimates: &'static mut [Cached<N>],
+    pub(crate) nodes: &'static mut [SearchNode<N>],
+    pub(crate) steps: &'static mut [Step<Numbers, N>],
+}
+
+/// The same with as many words as are needed for 128, 512 or 1024 atoms. Sets are values
+/// all over the planner, which makes small ones as fast as numbers; so there is one planner
+/// for each of these sizes, and not one that asks how long they are.
+pub(crate) enum Sets {
+    Small(SetTables<2>),
+    Medium(SetTables<8>),
+    Large(SetTables<16>),
+}
+
+/// Does the same with the tables of any size.
+macro_rules! with_sets {
+    ($sets:expr, $tables:ident => $body:expr) => {
+        match $sets {
+            $crate::planner::tables::Sets::Small($tables) => $body,
+            $crate::planner::tables::Sets::Medium($tables) => $body,
+            $crate::planner::tables::Sets::Large($tables) => $body,
+        }
+    };
+}
+pub(crate) use with_sets;
 
 pub(crate) const NO_ACTION: Failure =
     Failure::invalid("the PDDL domain has no action of this name");

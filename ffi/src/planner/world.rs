@@ -1,7 +1,9 @@
 //! The program's callbacks as the world, the sampler and the guide of a planning.
 
 use crate::boundary::rng::critreg_rng_seed;
-use crate::boundary::status::{CRITREG_EMPTY_REGION, Failure, Fallible, stop_unless_ok};
+use crate::boundary::status::{
+    CRITREG_EMPTY_REGION, CRITREG_NO_SAMPLE, Failure, Fallible, stop_unless_ok,
+};
 use crate::planner::callbacks::{
     CRITREG_KEEP, CRITREG_NO_REASON, CRITREG_POSTPONE, CRITREG_PRUNE, critreg_advise,
     critreg_callbacks, critreg_draw, critreg_drawn, critreg_ground,
@@ -14,7 +16,7 @@ use critreg_core::Error;
 use critreg_core::domain::MAX_PARAMETERS;
 use critreg_core::plan::{Advice, Draw, Drawn, Guide, ReasonId, Sampler, Skeleton, World};
 use critreg_core::random::uniform_in;
-use critreg_core::task::{Atoms, GroundAtom, GroundOperator, Parameters};
+use critreg_core::task::{GroundAtom, GroundOperator, Parameters};
 use rand_core::Rng;
 
 /// The program, with what it is asked in: names and ranges of its PDDL texts.
@@ -24,17 +26,20 @@ pub(crate) struct Program<'a> {
     pub(crate) user_data: *mut c_void,
     pub(crate) names: &'a Names,
     pub(crate) ranges: &'a [Ranges],
-    pub(crate) atoms: &'a Atoms,
+    pub(crate) atoms: &'a [GroundAtom],
 }
 
 impl Program<'_> {
-    fn ranges(&self, operator: &GroundOperator) -> &[[f64; 2]] {
+    fn ranges<const N: usize>(&self, operator: &GroundOperator<N>) -> &[[f64; 2]] {
         let ranges = self.ranges.get(usize::from(operator.operator.0));
         ranges.map_or(&[], Ranges::as_slice)
     }
 
-    /// Whether an atom holds in a state.
+    /// Whether an atom holds in a state. The program is not asked for negations.
     pub(crate) fn holds(&self, atom: &GroundAtom, state: &[f64]) -> Fallible<bool> {
+        if atom.predicate.is_negation() {
+            return Ok(!self.holds(&atom.negation(), state)?);
+        }
         let ask = self.callbacks.holds.ok_or(Failure::Null("holds"))?;
         let ground = self.names.atom(atom);
         let mut holds = -1;
@@ -57,23 +62,23 @@ impl Program<'_> {
     }
 }
 
-impl World for Program<'_> {
+impl<const N: usize> World<N> for Program<'_> {
     type State = Numbers;
     type Error = Failure;
 
-    fn parameters(&self, operator: &GroundOperator) -> Fallible<usize> {
+    fn parameters(&self, operator: &GroundOperator<N>) -> Fallible<usize> {
         Ok(self.ranges(operator).len())
     }
 
     fn holds(&mut self, atom: u32, state: &Numbers) -> Fallible<bool> {
-        let atom = self.atoms.as_slice().get(atom as usize);
+        let atom = self.atoms.get(atom as usize);
         let atom = atom.ok_or(Error::Mismatch("an atom is not of this problem"))?;
         Program::holds(self, atom, state)
     }
 
     fn execute(
         &mut self,
-        operator: &GroundOperator,
+        operator: &GroundOperator<N>,
         parameters: &[f64],
         before: &Numbers,
         after: &mut Numbers,
@@ -110,7 +115,11 @@ impl World for Program<'_> {
 pub(crate) type Sequence<'a> = &'a [Cell<critreg_ground>];
 
 /// Writes a sequence of operators.
-fn write(names: &Names, skeleton: Skeleton<'_>, sequence: Sequence<'_>) -> Fallible {
+fn write<const N: usize>(
+    names: &Names,
+    skeleton: Skeleton<'_, N>,
+    sequence: Sequence<'_>,
+) -> Fallible {
     if skeleton.len() > sequence.len() {
         return Err(Error::CapacityExceeded("operators of a sequence").into());
     }
@@ -126,8 +135,8 @@ pub(crate) struct Draws<'a> {
     pub(crate) sequence: Sequence<'a>,
 }
 
-impl<'a> Sampler<Program<'a>> for Draws<'_> {
-    fn sample<R: Rng>(&mut self, draw: &Draw<'_, Numbers>, rng: &mut R) -> Fallible<Drawn> {
+impl<'a, const N: usize> Sampler<Program<'a>, N> for Draws<'_> {
+    fn sample<R: Rng>(&mut self, draw: &Draw<'_, Numbers, N>, rng: &mut R) -> Fallible<Drawn> {
         let Program {
             callbacks,
             user_data,
@@ -159,10 +168,11 @@ impl<'a> Sampler<Program<'a>> for Draws<'_> {
         };
         // SAFETY: a callback of the program, called as the header promises.
         let status = unsafe { sample(user_data, &told, &mut own, &mut drawn) };
-        if status == CRITREG_EMPTY_REGION {
-            return Ok(Drawn::Empty(reason_of(drawn.reason)));
+        match status {
+            CRITREG_EMPTY_REGION => return Ok(Drawn::Empty(reason_of(drawn.reason))),
+            CRITREG_NO_SAMPLE => return Ok(Drawn::Nothing),
+            _ => stop_unless_ok(status, "sample")?,
         }
-        stop_unless_ok(status, "sample")?;
         let parameters = drawn.parameters.iter().zip(ranges);
         let checked = collect(parameters.map(|(value, range)| check(*value, *range)));
         match drawn.informed {
@@ -211,7 +221,11 @@ pub(crate) struct Advisor<'a> {
 }
 
 impl Advisor<'_> {
-    fn ask(&self, advise: critreg_advise, prefix: Skeleton<'_>) -> Fallible<Advice> {
+    fn ask<const N: usize>(
+        &self,
+        advise: critreg_advise,
+        prefix: Skeleton<'_, N>,
+    ) -> Fallible<Advice> {
         let Some(advise) = advise else {
             return Ok(Advice::Keep);
         };
@@ -239,8 +253,8 @@ impl Advisor<'_> {
     }
 }
 
-impl Guide for Advisor<'_> {
-    fn judge(&mut self, prefix: Skeleton<'_>) -> Advice {
+impl<const N: usize> Guide<N> for Advisor<'_> {
+    fn judge(&mut self, prefix: Skeleton<'_, N>) -> Advice {
         const NOTHING: Advice = Advice::Prune(ReasonId(u16::MAX));
         if self.stopped.is_some() {
             return NOTHING;

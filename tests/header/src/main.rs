@@ -31,6 +31,7 @@ const SOURCES: [&str; 29] = [
     "planner/planning.rs",
     "planner/step.rs",
     "planner/metrics.rs",
+    "planner/why.rs",
     "planner/inspection.rs",
     "check.rs",
     "stick_button/environment.rs",

@@ -1,6 +1,9 @@
 //! What planning takes with learned regions, in stick-button and in all environments:
 //! `report -- <table|domains|an environment> [--seeds N]`.
 //!
+//! Public planning texts, beside what is recorded in a folder of them:
+//! `report -- pddl <folder>`.
+//!
 //! How often the learners find the true region:
 //! `report -- <what> [--seeds N] [--calls N] [--instances N]`.
 //!
@@ -10,7 +13,7 @@
 use critreg_tests::report::{self, Run, Scenario, Statistics};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n       report \
+const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n       report pddl <folder>\n       report \
      <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
      [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]\n       report \
      sensitivity [--seeds N] [--first N] [--only <part of a name>]";
@@ -36,6 +39,15 @@ fn main() -> ExitCode {
             report::domains(&[name], seeds);
             return ExitCode::SUCCESS;
         }
+    }
+    if let Some(folder) = folder_of("pddl") {
+        return match report::pddl(folder.as_ref()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("{folder}: {error}");
+                ExitCode::FAILURE
+            }
+        };
     }
     let done = sensitivity().or_else(|| options().as_ref().map(print));
     match done {
@@ -63,6 +75,13 @@ fn sensitivity() -> Option<()> {
     }
     report::sensitivity(seeds, first, &only);
     Some(())
+}
+
+/// The folder that a report is about, if it is asked for.
+fn folder_of(name: &str) -> Option<String> {
+    let mut arguments = std::env::args().skip(1);
+    arguments.next().filter(|own| own == name)?;
+    arguments.next()
 }
 
 /// The seeds of a report about planning, if it is asked for.

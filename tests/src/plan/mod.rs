@@ -4,6 +4,7 @@ pub mod ideal;
 pub mod lower_half;
 pub mod record;
 pub mod skills;
+pub mod symbols;
 
 use critreg::Error;
 use critreg::plan::{
@@ -27,6 +28,7 @@ pub struct Room {
     tables: Box<plan::Room<State, MAX_OPERATORS, 0, LENGTH>>,
     nodes: Vec<SearchNode>,
     open: Vec<Waiting>,
+    visited: Vec<u32>,
 }
 
 impl Room {
@@ -36,6 +38,7 @@ impl Room {
             tables: Box::default(),
             nodes: vec![SearchNode::default(); nodes],
             open: vec![Waiting::default(); nodes],
+            visited: vec![0; nodes],
         }
     }
 
@@ -44,6 +47,7 @@ impl Room {
         let mut memory = self.tables.lend();
         memory.search.nodes = &mut self.nodes;
         memory.search.open = &mut self.open;
+        memory.search.visited = &mut self.visited;
         memory
     }
 }

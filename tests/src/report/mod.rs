@@ -3,6 +3,7 @@
 mod domains;
 mod judge;
 mod judged;
+mod pddl;
 mod row;
 mod runs;
 mod scenario;
@@ -14,6 +15,7 @@ mod table;
 
 pub use domains::{NAMES as DOMAINS, print as domains, train, training};
 pub use judge::{Score, Truth};
+pub use pddl::pddl;
 pub use runs::{LEARNERS, for_seeds, run_seed};
 pub use scenario::{Scenario, angles, chain, noise, pick};
 pub use sensitivity::print as sensitivity;

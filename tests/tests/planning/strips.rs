@@ -46,6 +46,7 @@ impl Strips {
         let ground = |[pre, add, delete]: &[u8; 3]| GroundOperator {
             operator: OperatorId(0),
             objects: Arguments::default(),
+            cost: 1,
             preconditions: set(*pre),
             add_effects: set(*add),
             delete_effects: set(*delete),
@@ -206,6 +207,7 @@ fn search_twice(
         },
         nodes: &mut vec![SearchNode::default(); room],
         open: &mut vec![Waiting::default(); room],
+        visited: &mut vec![0; room],
     };
     let mut metrics = Metrics::new(&mut [], &mut []);
     let lots = generator(1);
@@ -299,6 +301,39 @@ proptest! {
                 prop_assert_eq!(set, expected);
             }
         }
+    }
+
+    /// As in a graph: the first skeleton is a shortest one, and that there is none is
+    /// found out.
+    #[test]
+    fn states_that_are_recognised_end_the_search(strips in strips()) {
+        let config = Config {
+            skeletons_per_state: 1,
+            ..config(Heuristic::LandmarkCut, 0)
+        };
+        let (operators, room) = (strips.ground(), ROOM);
+        let task = AbstractTask {
+            operators: &operators,
+            initial: set(strips.initial),
+            goal: set(strips.goal),
+        };
+        let memory = SearchMemory {
+            heuristic: HeuristicMemory {
+                operators: &mut vec![Progress::default(); operators.len()],
+                links: &mut vec![0; links(&operators)],
+                cache: &mut [],
+            },
+            nodes: &mut vec![SearchNode::default(); room],
+            open: &mut vec![Waiting::default(); room],
+            visited: &mut vec![0; 256],
+        };
+        let mut metrics = Metrics::new(&mut [], &mut []);
+        let mut search = Search::new(task, &config, generator(1), memory, &mut metrics).unwrap();
+        let found = search.next_skeleton(&mut Unguided, &mut metrics).unwrap();
+        let length = found.map(|skeleton| skeleton.len() as u32);
+        prop_assert_eq!(length, strips.optimal(true));
+        // Each of the 64 states is extended once, or anew from a shorter way.
+        prop_assert!(metrics.nodes_expanded <= 64 + metrics.repeated);
     }
 
     #[test]

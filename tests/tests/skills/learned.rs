@@ -349,7 +349,7 @@ proptest! {
             let drawn = sampler.sample(&draw, &mut generator(seed)).unwrap();
             let parameters = match drawn {
                 Drawn::Parameters(p) | Drawn::Informed(p) => Some(p),
-                Drawn::Empty(_) => None,
+                Drawn::Empty(_) | Drawn::Nothing => None,
             };
             (kept, parameters)
         };
@@ -429,7 +429,7 @@ fn draws_from_everything_reach_what_a_region_leaves_out() {
             };
             match sampler.sample(&draw, &mut rng).unwrap() {
                 Drawn::Parameters(p) | Drawn::Informed(p) => p[0] > 0.25,
-                Drawn::Empty(_) => panic!("the region is not empty"),
+                Drawn::Empty(_) | Drawn::Nothing => panic!("the region is not empty"),
             }
         });
         beyond.count()

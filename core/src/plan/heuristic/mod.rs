@@ -1,7 +1,7 @@
 //! Heuristics: how many operators it takes at least, or about, to the goal.
 //!
 //! All are computed in the delete relaxation, in which what holds once holds
-//! forever. Every operator costs one.
+//! forever. Operators cost one each, unless a PDDL text says otherwise.
 
 mod additive;
 mod cache;
@@ -35,7 +35,7 @@ pub enum Heuristic {
     Blind,
 }
 
-/// A cost to the goal, in operators.
+/// A cost to the goal: operators, unless a PDDL text says what they cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Estimate {
     /// This many.
@@ -46,25 +46,25 @@ pub enum Estimate {
 
 /// The memory of an [`Estimator`].
 #[derive(Debug)]
-pub struct HeuristicMemory<'m> {
+pub struct HeuristicMemory<'m, const N: usize = 2> {
     /// One for each ground operator.
     pub operators: &'m mut [Progress],
     /// As many as [`links`] says.
     pub links: &'m mut [u16],
     /// Estimates to remember, any number: each spares another computation for an
     /// abstract state that is met again. None is right for [`Heuristic::Blind`].
-    pub cache: &'m mut [Cached],
+    pub cache: &'m mut [Cached<N>],
 }
 
 /// A heuristic of one task.
 #[derive(Debug)]
-pub struct Estimator<'m> {
+pub struct Estimator<'m, const N: usize = 2> {
     heuristic: Heuristic,
-    relaxation: Relaxation<'m>,
-    cache: Cache<'m>,
+    relaxation: Relaxation<'m, N>,
+    cache: Cache<'m, N>,
 }
 
-impl<'m> Estimator<'m> {
+impl<'m, const N: usize> Estimator<'m, N> {
     /// Prepares a heuristic for a task.
     ///
     /// # Errors
@@ -72,8 +72,8 @@ impl<'m> Estimator<'m> {
     /// needs, or the task has more than 65 535 of them.
     pub fn new(
         heuristic: Heuristic,
-        task: AbstractTask<'m>,
-        memory: HeuristicMemory<'m>,
+        task: AbstractTask<'m, N>,
+        memory: HeuristicMemory<'m, N>,
     ) -> Result<Self, Error> {
         Ok(Estimator {
             heuristic,
@@ -83,7 +83,7 @@ impl<'m> Estimator<'m> {
     }
 
     /// The estimate for an abstract state.
-    pub fn estimate(&mut self, state: AtomSet) -> Estimate {
+    pub fn estimate(&mut self, state: AtomSet<N>) -> Estimate {
         if let Some(estimate) = self.cache.get(state) {
             return estimate;
         }

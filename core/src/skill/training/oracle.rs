@@ -132,7 +132,7 @@ impl<'a, E: Describe> Oracle<'a, E> {
             Some(theta) => completed(environment, ground, state, theta, rng),
             None => match self.draw(situation, (step, state), attempt, rng)? {
                 Drawn::Parameters(drawn) | Drawn::Informed(drawn) => drawn,
-                Drawn::Empty(_) => return Ok(Tried::Impossible),
+                Drawn::Empty(_) | Drawn::Nothing => return Ok(Tried::Impossible),
             },
         };
         let (operator, objects) = (environment.operator(ground)?, ground.objects.as_slice());

@@ -3,7 +3,7 @@
 use super::wrong::{domain_with, problem_with, said_of_domain, said_of_problem};
 use critreg::Error;
 use critreg::pddl;
-use critreg::task::{GroundAtom, MAX_ARGUMENTS, MAX_GOAL_ATOMS};
+use critreg::task::MAX_ARGUMENTS;
 
 /// A table that has no room for one more item than it should have.
 struct Full {
@@ -68,7 +68,7 @@ fn full_tables_of_a_domain() {
             what: "too many arguments of one predicate or action",
         },
         Full {
-            room: pddl::MAX_VARIABLES / 4,
+            room: pddl::MAX_PARAMETERS / 4,
             before: "",
             item: |i| format!("(:action a{i} :parameters (?a ?b ?c ?d))"),
             after: "",
@@ -84,7 +84,8 @@ fn full_tables_of_a_domain() {
             what: "too many actions",
         },
         Full {
-            room: pddl::MAX_LITERALS,
+            // The empty precondition of the action and the `and` take a place, too.
+            room: pddl::MAX_LITERALS - 2,
             before: "(:predicates (p)) (:action a :parameters () :effect (and",
             item: |_| "(p)".into(),
             after: "))",
@@ -125,12 +126,12 @@ fn full_tables_of_a_problem() {
             what: "lend more memory for what holds initially",
         },
         Full {
-            room: MAX_GOAL_ATOMS,
-            before: "(:domain d) (:init) (:goal (and (r c0 c0)",
-            item: numbered_atom,
+            room: pddl::MAX_GOAL - 1,
+            before: "(:domain d) (:init) (:goal (and",
+            item: |i| numbered_atom(i % 25),
             after: "))",
             column: 2,
-            what: "too many atoms in the goal",
+            what: "too many preconditions and effects",
         },
     ];
     for case in cases {
@@ -145,7 +146,7 @@ fn full_tables_of_a_problem() {
 #[test]
 fn too_many_ground_atoms() {
     let domain = "(:predicates (p ?x) (q ?x) (r) (s ?x))
-        (:action a :parameters (?x) :precondition (s ?x) :effect (and (p ?x) (not (q ?x))))
+        (:action a :parameters (?x) :precondition (s ?x) :effect (and (p ?x) (q ?x)))
         (:action b :parameters () :effect (r))";
     let domain = domain_with(domain);
     let domain = pddl::Domain::parse(&domain).unwrap();
@@ -159,12 +160,14 @@ fn too_many_ground_atoms() {
         let objects = objects.join(" ");
         let text = format!("(:domain d) (:objects {objects}) (:init {initial}) (:goal (r))");
         let text = problem_with(&text);
-        let mut memory = [GroundAtom::default(); 64];
+        let mut memory = [pddl::Fact::default(); 64];
         let problem = pddl::Problem::parse(&domain, &text, &mut memory).unwrap();
-        match pddl::Grounding::new(&problem) {
+        match pddl::Grounding::<2>::new(&problem) {
             Ok(grounding) => assert_eq!(grounding.atoms().as_slice().len(), 127),
             Err(error) => assert_eq!(error, Error::CapacityExceeded("ground atoms of a task")),
         }
-        assert_eq!(pddl::Grounding::new(&problem).is_ok(), fits);
+        assert_eq!(pddl::Grounding::<2>::new(&problem).is_ok(), fits);
+        let wider = pddl::Grounding::<3>::new(&problem).unwrap();
+        assert_eq!(wider.atoms().as_slice().len(), 2 * holding + 1);
     }
 }

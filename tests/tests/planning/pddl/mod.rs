@@ -1,6 +1,7 @@
 //! PDDL: grounding against the built-in environment and a naive oracle, writing
 //! against reading, and what is said about wrong texts.
 
+mod adl;
 mod full;
 mod oracle;
 mod random;
@@ -33,21 +34,34 @@ pub(crate) const DELIVERY: [&str; 2] = [
 ];
 pub(crate) const ALL: [[&str; 2]; 4] = [STICK_BUTTON, BLOCKS, GRIPPER, DELIVERY];
 
+/// The ground operators, one after the other.
+pub(crate) fn operators<const N: usize>(
+    grounding: &mut pddl::Grounding<'_, '_, N>,
+) -> Result<Vec<GroundOperator<N>>, Error> {
+    let mut operators = vec![];
+    grounding.operators(&mut |operator| {
+        operators.push(operator);
+        Ok(())
+    })?;
+    Ok(operators)
+}
+
 /// Grounds a problem, describes it in the words of the oracle, and tells how many
 /// atoms it has.
 pub(crate) fn ground([domain, problem]: [&str; 2]) -> Result<(oracle::Ground, usize), Error> {
     let domain = pddl::Domain::parse(domain)?;
-    let mut memory = [GroundAtom::default(); 256];
+    let mut memory = [pddl::Fact::default(); 256];
     let problem = pddl::Problem::parse(&domain, problem, &mut memory)?;
-    let grounding = pddl::Grounding::new(&problem)?;
+    let mut grounding = pddl::Grounding::<2>::new(&problem)?;
+    let operators = operators(&mut grounding)?;
     let words = |set: AtomSet| -> BTreeSet<String> {
         let atoms = grounding.atoms().members(set);
         atoms
             .map(|atom| problem.atom_text(atom).to_string())
             .collect()
     };
-    let operators = grounding.operators().map(|operator| oracle::Operator {
-        name: problem.operator_text(&operator).to_string(),
+    let operators = operators.iter().map(|operator| oracle::Operator {
+        name: problem.operator_text(operator).to_string(),
         preconditions: words(operator.preconditions),
         adds: words(operator.add_effects),
         deletes: words(operator.delete_effects),
@@ -99,6 +113,7 @@ fn ground_built_in(buttons: usize) -> oracle::Ground {
         initial: words(atoms.abstract_state(&environment, &task.initial)),
         goal: words(atoms.set(task.goal.iter().copied()).unwrap()),
     }
+    .reachable()
 }
 
 #[test]
@@ -161,15 +176,16 @@ fn order_and_spelling_of_names() {
         (:action b :parameters (?x) :effect (p ?X)) (:ACTION A :parameters (?x ?y) :effect ()))";
     let domain = pddl::Domain::parse(domain).unwrap();
     let text = "(define (problem p) (:domain D) (:objects z Y) (:init (p y)) (:goal (p Z)))";
-    let mut memory = [GroundAtom::default(); 1];
+    let mut memory = [pddl::Fact::default(); 1];
     let problem = pddl::Problem::parse(&domain, text, &mut memory).unwrap();
-    let grounding = pddl::Grounding::new(&problem).unwrap();
-    let names = grounding
-        .operators()
-        .map(|o| problem.operator_text(&o).to_string());
+    let mut grounding = pddl::Grounding::<2>::new(&problem).unwrap();
+    let operators = operators(&mut grounding).unwrap();
+    let names = operators
+        .iter()
+        .map(|o| problem.operator_text(o).to_string());
     let expected = ["(A Y Y)", "(A Y z)", "(A z Y)", "(A z z)", "(b Y)", "(b z)"];
     assert_eq!(names.collect::<Vec<_>>(), expected);
-    let ids: Vec<_> = grounding.operators().map(|o| o.operator.0).collect();
+    let ids: Vec<_> = operators.iter().map(|o| o.operator.0).collect();
     assert_eq!(ids, [1, 1, 1, 1, 0, 0], "as declared");
     let atoms = grounding.atoms().as_slice().iter();
     let atoms: Vec<_> = atoms.map(|a| problem.atom_text(a).to_string()).collect();
@@ -179,10 +195,10 @@ fn order_and_spelling_of_names() {
 /// Length of a shortest plan by breadth-first search; `None` if there is no plan.
 fn shortest_plan([domain, problem]: [&str; 2]) -> Option<usize> {
     let domain = pddl::Domain::parse(domain).unwrap();
-    let mut memory = [GroundAtom::default(); 64];
+    let mut memory = [pddl::Fact::default(); 64];
     let problem = pddl::Problem::parse(&domain, problem, &mut memory).unwrap();
-    let grounding = pddl::Grounding::new(&problem).unwrap();
-    let operators: Vec<_> = grounding.operators().collect();
+    let mut grounding = pddl::Grounding::<2>::new(&problem).unwrap();
+    let operators = operators(&mut grounding).unwrap();
     let mut layer = BTreeSet::from([grounding.initial()]);
     let mut seen = layer.clone();
     for length in 0.. {

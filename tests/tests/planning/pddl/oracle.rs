@@ -22,13 +22,13 @@ pub(crate) struct Ground {
 }
 
 #[derive(Clone, Debug)]
-enum Tree {
+pub(crate) enum Tree {
     Word(String),
     List(Vec<Tree>),
 }
 
 impl Tree {
-    fn read(text: &str) -> Tree {
+    pub(crate) fn read(text: &str) -> Tree {
         let code = text.lines().map(|line| line.split(';').next().unwrap());
         let spaced = code.collect::<Vec<_>>().join(" ");
         let spaced = spaced
@@ -49,14 +49,14 @@ impl Tree {
         open.pop().unwrap().remove(0)
     }
 
-    fn list(&self) -> &[Tree] {
+    pub(crate) fn list(&self) -> &[Tree] {
         match self {
             Tree::List(list) => list,
             Tree::Word(word) => panic!("{word} is no list"),
         }
     }
 
-    fn word(&self) -> &str {
+    pub(crate) fn word(&self) -> &str {
         match self {
             Tree::Word(word) => word,
             Tree::List(list) => panic!("{list:?} is no word"),
@@ -64,7 +64,7 @@ impl Tree {
     }
 
     /// The word it begins with, if it is a list.
-    fn head(&self) -> &str {
+    pub(crate) fn head(&self) -> &str {
         match self {
             Tree::List(list) if !list.is_empty() => list[0].word(),
             _ => "",
@@ -72,7 +72,7 @@ impl Tree {
     }
 
     /// What stands behind the head of the section with this name.
-    fn section(&self, name: &str) -> &[Tree] {
+    pub(crate) fn section(&self, name: &str) -> &[Tree] {
         let found = self.list().iter().find(|t| t.head() == name);
         found.map_or(&[], |t| &t.list()[1..])
     }
@@ -87,13 +87,13 @@ impl Tree {
         }
     }
 
-    fn words(&self) -> Vec<String> {
+    pub(crate) fn words(&self) -> Vec<String> {
         self.list().iter().map(|t| t.word().to_string()).collect()
     }
 }
 
 /// `a b - c d`: each name with its type.
-fn typed(list: &[Tree]) -> Vec<(String, String)> {
+pub(crate) fn typed(list: &[Tree]) -> Vec<(String, String)> {
     let mut entries: Vec<(String, Option<String>)> = Vec::new();
     let mut words = list.iter().map(Tree::word);
     while let Some(word) = words.next() {
@@ -113,7 +113,7 @@ fn typed(list: &[Tree]) -> Vec<(String, String)> {
         .collect()
 }
 
-fn text(words: &[String]) -> String {
+pub(crate) fn text(words: &[String]) -> String {
     format!("({})", words.join(" "))
 }
 
@@ -219,7 +219,32 @@ impl Action {
     }
 }
 
-/// Grounds a problem of a domain.
+impl Ground {
+    /// Without what cannot be reached, even if nothing is ever deleted.
+    pub(crate) fn reachable(mut self) -> Ground {
+        let mut reached = self.initial.clone();
+        loop {
+            let possible = self.operators.iter();
+            let possible = possible.filter(|o| o.preconditions.is_subset(&reached));
+            let more: BTreeSet<String> = possible.flat_map(|o| o.adds.clone()).collect();
+            let before = reached.len();
+            reached.extend(more);
+            if reached.len() == before {
+                break;
+            }
+        }
+        self.operators
+            .retain(|o| o.preconditions.is_subset(&reached));
+        // What shall hold in the end has a name in any case.
+        let named: BTreeSet<_> = reached.union(&self.goal).cloned().collect();
+        for operator in &mut self.operators {
+            operator.deletes.retain(|atom| named.contains(atom));
+        }
+        self
+    }
+}
+
+/// Grounds a problem of a domain, without what cannot be reached.
 pub(crate) fn ground(domain: &str, problem: &str) -> Ground {
     let (domain, problem) = (Tree::read(domain), Tree::read(problem));
     let actions = domain.list().iter().filter(|t| t.head() == ":action");
@@ -262,4 +287,5 @@ pub(crate) fn ground(domain: &str, problem: &str) -> Ground {
             .cloned()
             .collect(),
     }
+    .reachable()
 }

@@ -2,7 +2,6 @@
 
 use super::{ALL, BLOCKS, DELIVERY, GRIPPER, ground, oracle};
 use critreg::pddl;
-use critreg::task::GroundAtom;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::{Index, subsequence};
@@ -133,12 +132,12 @@ fn read_and_write(texts: [&str; 2]) -> [bool; 2] {
         Ok(&domain),
         "{domain_text}"
     );
-    let mut memory = [GroundAtom::default(); 64];
+    let mut memory = [pddl::Fact::default(); 64];
     let Ok(problem) = pddl::Problem::parse(&domain, texts[1], &mut memory) else {
         return [true, false];
     };
     let problem_text = problem.to_string();
-    let mut again = [GroundAtom::default(); 64];
+    let mut again = [pddl::Fact::default(); 64];
     let again = pddl::Problem::parse(&domain, &problem_text, &mut again);
     assert_eq!(again.as_ref(), Ok(&problem), "{problem_text}");
     assert_eq!(ground([&domain_text, &problem_text]), ground(texts));
