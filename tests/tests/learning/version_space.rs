@@ -204,7 +204,7 @@ fn several_parameters_are_learned_exactly() {
     })
     .unwrap();
     let learned = text::of_region(&domain, learner.region().unwrap());
-    assert!(learned.contains("px - lamp.x <= -0.25 "), "{learned}");
+    assert!(learned.contains("x - lamp.x <= -0.25 "), "{learned}");
     assert!(learned.contains("dist(hand, cup) >= 0.75 "), "{learned}");
     assert_eq!(learner.evidence().len(), 2);
     for evidence in learner.evidence() {
