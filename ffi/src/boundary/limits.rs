@@ -22,7 +22,7 @@ pub const CRITREG_HANDLE_POINTERS: usize = 656;
 
 /// Bytes of a sample that was told, apart from its left sides; for
 /// CRITREG_LEARNER_WORDS.
-pub const CRITREG_OBSERVATION_BYTES: usize = 80;
+pub const CRITREG_OBSERVATION_BYTES: usize = 76;
 
 /// Bytes of a feature, apart from its values in the instances; for
 /// CRITREG_LEARNER_WORDS.

@@ -64,6 +64,13 @@ impl<'m, R: Real> Committee<'m, R> {
         split.flatten().enumerate()
     }
 
+    /// A bit for each left side that some hypothesis speaks of.
+    pub(super) fn lefts(&self) -> u128 {
+        let clauses = self.hypotheses.iter().flat_map(|own| &own.clauses);
+        let bounds = clauses.flat_map(Clause::bounds);
+        bounds.fold(0, |all, bound| all | 1 << (bound.form.lhs % 128))
+    }
+
     /// Whether a hypothesis speaks of a form, by its place among the forms.
     pub(super) fn uses(&self, form: u32) -> bool {
         self.hypotheses.iter().any(|own| own.uses(form))

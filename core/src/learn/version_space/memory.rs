@@ -2,6 +2,7 @@
 
 use super::committee::MEMBERS;
 use super::forms::{MAX_LHS, MAX_WORDS};
+use super::hypothesis::MAX_CLAUSES;
 use crate::error::Error;
 use crate::grammar::MAX_CONSTRAINTS;
 use crate::learn::tables::memory;
@@ -176,7 +177,12 @@ impl Capacity {
 
     /// What supports the constraints of a region.
     pub const fn evidence(self) -> usize {
-        MAX_CONSTRAINTS
+        let most = 2 * MAX_CLAUSES * self.steps;
+        if most < MAX_CONSTRAINTS {
+            most
+        } else {
+            MAX_CONSTRAINTS
+        }
     }
 
     /// Regions: the one that is learned.

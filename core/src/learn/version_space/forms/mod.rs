@@ -53,7 +53,7 @@ use sums::Sums;
 use values::Values;
 
 /// Most left sides, half of them derived ones.
-pub(super) const MAX_LHS: usize = 128;
+pub(super) const MAX_LHS: usize = u128::BITS as usize;
 /// Levels of right sides, simple ones first: nothing, attributes and coordinates,
 /// distances and angles, scaled ones.
 const LEVELS: usize = 4;
@@ -69,19 +69,31 @@ pub(super) fn tolerance<R: Real>(value: R) -> R {
     R::from_f64(64.0) * R::EPSILON * (R::from_f64(16.0) + value.abs())
 }
 
-/// A sample whose label is decided.
+/// A sample whose label is decided: its instance, and whether it was drawn at random, from
+/// everything or from a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sample {
-    instance: u32,
-    /// Whether it was drawn at random, from everything or from a region.
-    drawn: bool,
+pub struct Sample(u32);
+
+impl Sample {
+    /// The bit of one that was drawn.
+    const DRAWN: u32 = 1 << 31;
+
+    fn new(instance: usize, drawn: bool) -> Sample {
+        let drawn = if drawn { Sample::DRAWN } else { 0 };
+        Sample((instance as u32 & !Sample::DRAWN) | drawn)
+    }
+
+    fn instance(self) -> usize {
+        (self.0 & !Sample::DRAWN) as usize
+    }
+
+    fn is_drawn(self) -> bool {
+        self.0 & Sample::DRAWN != 0
+    }
 }
 
 impl Blank for Sample {
-    const BLANK: Self = Sample {
-        instance: 0,
-        drawn: false,
-    };
+    const BLANK: Self = Sample(0);
 }
 
 /// The forms of a domain, what the feasible samples say about each and which
@@ -340,15 +352,24 @@ impl<'m, R: Real> Forms<'m, R> {
         }
     }
 
-    /// Evaluates the left sides at a sample.
+    /// Evaluates left sides at a sample, those with a bit in `wanted`: the others are not
+    /// looked at there.
     #[inline(never)]
-    pub(super) fn evaluate(&self, scene: &Scene<'_, R>, theta: &Theta, lhs: &mut [R]) {
+    pub(super) fn evaluate(
+        &self,
+        scene: &Scene<'_, R>,
+        theta: &Theta,
+        wanted: u128,
+        lhs: &mut [R],
+    ) {
         let theta = theta.map(R::from_f64);
         let mut sample: Point<'_, '_, R, R> = Point::blank(scene, &theta);
         sample.place_points();
         let nodes = self.features.nodes();
-        for (value, left) in lhs.iter_mut().zip(self.lefts.as_slice()) {
-            *value = sample.measure(nodes, NodeId(left.feature));
+        for (place, (value, left)) in lhs.iter_mut().zip(self.lefts.as_slice()).enumerate() {
+            if wanted >> place & 1 == 1 {
+                *value = sample.measure(nodes, NodeId(left.feature));
+            }
         }
     }
 
@@ -384,7 +405,7 @@ impl<'m, R: Real> Forms<'m, R> {
         let points = PointSet::all(problem.domain());
         let mut scene = Scene::blank(problem.domain(), instance, points);
         scene.place_points()?;
-        self.evaluate(&scene, &query.theta, lhs);
+        self.evaluate(&scene, &query.theta, u128::MAX, lhs);
         Ok(())
     }
 
@@ -494,7 +515,7 @@ impl<'m, R: Real> Forms<'m, R> {
     /// Whether a sample was drawn at random.
     pub(super) fn is_drawn(&self, sample: usize) -> bool {
         let sample = self.values.samples.as_slice().get(sample);
-        sample.is_some_and(|sample| sample.drawn)
+        sample.is_some_and(|sample| sample.is_drawn())
     }
 
     /// How many words a set of samples has in use.

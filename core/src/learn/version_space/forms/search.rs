@@ -181,6 +181,11 @@ impl<R: Real> Forms<'_, R> {
             let value = self.values.lhs_at(lhs, failure.sample as usize);
             failure.value = outward(value.unwrap_or(R::NAN));
         }
+        for end in self.ends.iter() {
+            let first = end.first as usize;
+            let own = self.failures.get_mut(first..first + end.count as usize);
+            sort_outermost_first(own.unwrap_or(&mut []));
+        }
         any
     }
 
@@ -290,9 +295,10 @@ impl<R: Real> Forms<'_, R> {
             let right = right_side.value(row);
             let first = end.first as usize;
             let own = self.failures.get(first..first + end.count as usize);
-            for failure in own.unwrap_or(&[]) {
-                count += u32::from(excludes(last, failure.value - right, true));
-            }
+            // What lies farther out stands before.
+            let own = own.unwrap_or(&[]).iter();
+            let beyond = |failure: &&Failure<R>| excludes(last, failure.value - right, true);
+            count += own.take_while(beyond).count() as u32;
         }
         count
     }
@@ -354,6 +360,26 @@ impl<R: Real> RightSide<R> {
             Some(value) => sum + *value * *factor,
             None => sum,
         })
+    }
+}
+
+/// Sorts the few samples of an instance by insertion; what is no number stands last.
+fn sort_outermost_first<R: Real>(failures: &mut [Failure<R>]) {
+    for end in 1..=failures.len() {
+        let Some((mut last, others)) = failures.get_mut(..end).and_then(<[_]>::split_last_mut)
+        else {
+            continue;
+        };
+        for other in others.iter_mut().rev() {
+            let no_number = other.value.partial_cmp(&other.value).is_none();
+            if last.value.partial_cmp(&last.value).is_none()
+                || !(no_number || last.value > other.value)
+            {
+                break;
+            }
+            core::mem::swap(other, last);
+            last = other;
+        }
     }
 }
 
@@ -513,9 +539,11 @@ impl Sizes<'_> {
         if diagonal || !pairs {
             return;
         }
+        let is_relation = |place: usize| self.columns.get(place).is_some_and(|c| c.relation);
         self.for_each_term(factors, &mut |index, first, cost| {
             self.for_each_term(factors, &mut |other, rest, more| {
-                if other > index {
+                // Sums of two distances say little.
+                if other > index && !(is_relation(index) && is_relation(other)) {
                     visit(with(first, rest), length + cost + more);
                 }
             });

@@ -27,10 +27,7 @@ impl<R: Real> Values<'_, R> {
             *slot = *value;
         }
         // There is room: as much as for observations, of which each decides one at most.
-        let _ = self.samples.push(Sample {
-            instance: instance as u32,
-            drawn,
-        });
+        let _ = self.samples.push(Sample::new(instance, drawn));
     }
 
     /// The right sides in an instance.
@@ -41,7 +38,7 @@ impl<R: Real> Values<'_, R> {
 
     pub(super) fn instance_of(&self, sample: usize) -> usize {
         let sample = self.samples.as_slice().get(sample);
-        sample.map_or(0, |s| s.instance as usize)
+        sample.map_or(0, |s| s.instance())
     }
 
     pub(super) fn lhs_at(&self, lhs: usize, sample: usize) -> Option<R> {

@@ -11,6 +11,7 @@ const JUDGED: usize = 4;
 
 impl<R: Real> VersionSpace<'_, R> {
     /// A draw from the region, after a selection if it is the first.
+    #[inline(never)]
     pub(super) fn draw_to_certify(
         &mut self,
         problem: &Problem<'_>,
@@ -31,6 +32,7 @@ impl<R: Real> VersionSpace<'_, R> {
 
     /// A draw from a region that is not exact, or now and then from everything: they tell how
     /// good it is. It is chosen anew if it turns out not to be as good as wanted.
+    #[inline(never)]
     pub(super) fn judge(
         &mut self,
         problem: &Problem<'_>,

@@ -20,6 +20,7 @@ impl<R: Real> Strategy<'_, '_, R> {
     ) -> Result<bool, Error> {
         let (problem, tuning) = (self.problem, self.forms.tuning());
         let points = PointSet::all(problem.domain());
+        let lefts = self.committee.lefts();
         let mut most = 0;
         for _ in 0..tuning.query_instances {
             let instance = below(rng, problem.count());
@@ -31,7 +32,7 @@ impl<R: Real> Strategy<'_, '_, R> {
                 } else {
                     self.between_samples(instance, rng)
                 };
-                self.forms.evaluate(&scene, &theta, lhs);
+                self.forms.evaluate(&scene, &theta, lefts, lhs);
                 let disagreement = self.vote(instance, lhs).disagreement();
                 if disagreement > most && !self.is_resolved(instance, lhs) {
                     most = disagreement;

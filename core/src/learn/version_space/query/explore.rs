@@ -43,6 +43,7 @@ impl<R: Real> Strategy<'_, '_, R> {
     ) -> Result<bool, Error> {
         let (problem, tuning) = (self.problem, self.forms.tuning());
         let points = PointSet::all(problem.domain());
+        let lefts = self.committee.lefts();
         let mut most: Option<f64> = None;
         for _ in 0..tuning.query_instances {
             let instance = below(rng, problem.count());
@@ -50,7 +51,7 @@ impl<R: Real> Strategy<'_, '_, R> {
             scene.place_points()?;
             for _ in 0..tuning.query_candidates {
                 let theta = self.any_theta(instance, rng);
-                self.forms.evaluate(&scene, &theta, lhs);
+                self.forms.evaluate(&scene, &theta, lefts, lhs);
                 if wanted.is_some_and(|wanted| self.refusing(instance, lhs) != wanted) {
                     continue;
                 }
