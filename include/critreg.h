@@ -878,7 +878,7 @@ typedef struct critreg_report {
      */
     uint64_t remaining;
     /**
-     * Outcomes told: calls of the simulator.
+     * Outcomes told of what was asked: calls of the simulator.
      */
     uint64_t calls;
     /**
@@ -935,6 +935,10 @@ typedef struct critreg_report {
      * See recall_low.
      */
     double recall_high;
+    /**
+     * Outcomes told of what was not asked, see critreg_observe().
+     */
+    uint64_t observed;
 } critreg_report;
 
 /**
@@ -981,7 +985,7 @@ typedef struct critreg_config {
      * Samples to have room for. When they are used up, telling returns
      * CRITREG_CAPACITY_EXCEEDED. CRITREG_VERSION_SPACE takes at most
      * CRITREG_MAX_OBSERVATIONS. Default 0: CRITREG_DEFAULT_OBSERVATIONS, or
-     * calls + 2 if that is more.
+     * calls + 2 if that is more; with critreg_observe() say how many it takes in all.
      */
     uint32_t observations;
     /**
@@ -1893,6 +1897,58 @@ critreg_status critreg_ask(struct critreg_learner *learner,
                            double *theta);
 
 /**
+ * Tells the learner what came of a sample that it did not ask for: of a log, a
+ * demonstration, somebody else's trials. It costs no call, works before anything is asked
+ * and between critreg_ask() and critreg_tell() (the sample that was asked for stays to be
+ * told), and is saved with the run. Where few parameters work, one sample that works says
+ * where to look: also for a slot of a ten thousandth of the range.
+ *
+ * ```c
+ * for (size_t i = 0; i < logged; ++i)
+ *     CHECK(critreg_observe(learner, instances, count, log[i].instance, log[i].theta,
+ *                           log[i].worked));
+ * CHECK(critreg_conclude(learner, instances, count));
+ * ```
+ *
+ * With noise, what was asked for is asked again until its outcome is beyond doubt; what was
+ * not is taken at its word, and wrong outcomes make the region an approximate one.
+ *
+ * @param learner The learner; CRITREG_VERSION_SPACE.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @param instance The index of the instance that it was tried in.
+ * @param theta The parameters: one number each. NULL if there are none.
+ * @param outcome What came of it.
+ * @return CRITREG_CAPACITY_EXCEEDED if there is no room for another observation
+ * (critreg_config.observations; those of the calls take some, too);
+ * CRITREG_INVALID_ARGUMENT for an instance or outcome that is none, a step that the
+ * configuration does not have, or CRITREG_ALGORITHM1; CRITREG_NOT_FINITE for a parameter;
+ * and as critreg_ask() where that is not finished. Then nothing was told.
+ */
+critreg_status critreg_observe(struct critreg_learner *learner,
+                               const double *instances,
+                               size_t count,
+                               size_t instance,
+                               const double *theta,
+                               critreg_outcome outcome);
+
+/**
+ * Brings the region up to date with everything that was told. The region agrees with that
+ * anyway as far as it can; but a better one is only looked for when the learner asks, at
+ * the end, and now and then while critreg_observe() is called. A program that only
+ * observes calls it before it asks for the region. What is asked next may be something
+ * else than without it.
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @return As critreg_ask(), where that is not finished.
+ */
+critreg_status critreg_conclude(struct critreg_learner *learner,
+                                const double *instances,
+                                size_t count);
+
+/**
  * Tells the learner what came of the sample it asked for. If this fails, the
  * sample is still to be told.
  *
@@ -1926,8 +1982,8 @@ critreg_status critreg_is_finished(const struct critreg_learner *learner,
  *
  * @param learner The learner.
  * @param region Receives the region. It belongs to the learner and is valid until
- * the next call of critreg_learn_region(), critreg_tell() or
- * critreg_learner_resume() on it; after that using it gives
+ * the next call of critreg_learn_region(), critreg_tell(), critreg_observe(),
+ * critreg_conclude() or critreg_learner_resume() on it; after that using it gives
  * CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
  * what supports its constraints is not saved.
  * @return CRITREG_NO_REGION if there is none, see critreg_learner_why();
@@ -1993,7 +2049,7 @@ critreg_status critreg_learner_message(const struct critreg_learner *learner,
 /**
  * Saves what a learner was told, so that a run can be resumed: versioned,
  * checksummed, the same on every machine. A sample that was asked for but not
- * told is asked for again after resuming.
+ * told is saved with it, and asked for again after resuming.
  *
  * @param learner The learner.
  * @param instances The problem instances, as for critreg_ask().

@@ -334,6 +334,18 @@ public:
         check(critreg_tell(handle(), instances.data(), count(instances), outcome));
     }
 
+    /** What came of a sample that was not asked for: of a log, or a demonstration. */
+    void observe(const std::vector<double> &instances, const Query &query,
+                 critreg_outcome outcome) {
+        check(critreg_observe(handle(), instances.data(), count(instances), query.instance,
+                              checked(query).theta.data(), outcome));
+    }
+
+    /** Brings the region up to date with everything that was told, before it is asked for. */
+    void conclude(const std::vector<double> &instances) {
+        check(critreg_conclude(handle(), instances.data(), count(instances)));
+    }
+
     /** Whether there is nothing more to ask. */
     bool is_finished() const {
         std::int32_t finished;
@@ -390,6 +402,12 @@ private:
         if (instances.size() % len != 0 || (instance_len_ == 0 && !instances.empty()))
             throw Error(CRITREG_INVALID_ARGUMENT, "the instances have the wrong length");
         return instance_len_ == 0 ? 1 : instances.size() / len;
+    }
+
+    const Query &checked(const Query &query) const {
+        if (query.theta.size() != parameter_count_)
+            throw Error(CRITREG_INVALID_ARGUMENT, "theta has the wrong length");
+        return query;
     }
 
     void check(critreg_status status) const {

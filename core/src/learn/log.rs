@@ -7,9 +7,14 @@
 //! | 4 | fingerprint of the problem |
 //! | 4 | fingerprint of the learner |
 //! | 2 | number of parameters n |
+//! | 2 | what the learner did since the last observation |
 //! | 4 | number of observations |
-//! | 8 + 8 n each | instance, outcome ([`Outcome::code`]), parameters |
+//! | 4 | number of questions that are open |
+//! | 8 + 8 n each | an observation, then an open question: instance (4), outcome (2, [`Outcome::code`]), whether it was asked (1), what the learner did before (1), parameters |
 //! | 4 | CRC-32 of all before |
+//!
+//! What a learner did follows from the observations and the notes beside them, so nothing is
+//! asked again to resume it.
 
 use super::problem::Problem;
 use super::{Learner, Outcome, Query};
@@ -20,8 +25,8 @@ use crate::table::Blank;
 use crate::wire::{FRAME, Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRLG";
-const VERSION: u16 = 2;
-const HEADER: usize = 4 + 4 + 2 + 4;
+const VERSION: u16 = 3;
+const HEADER: usize = 4 + 4 + 2 + 2 + 4 + 4;
 
 /// A sample that was tried and what came of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +35,10 @@ pub struct Observation {
     pub instance: u32,
     /// What came of it.
     pub outcome: Outcome,
+    /// Whether the learner asked for it.
+    pub asked: bool,
+    /// What it was asked for and what the learner did before, as the learner notes it.
+    pub(super) notes: u8,
     /// The parameters of the action.
     pub theta: Theta,
 }
@@ -38,12 +47,14 @@ impl Blank for Observation {
     const BLANK: Self = Observation {
         instance: 0,
         outcome: Outcome::Unknown,
+        asked: true,
+        notes: 0,
         theta: [0.0; MAX_PARAMETERS],
     };
 }
 
 impl Observation {
-    /// What came of a query.
+    /// What came of a query that was asked.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] if the failed step is zero.
@@ -56,7 +67,45 @@ impl Observation {
         Ok(Observation {
             instance,
             outcome,
+            asked: true,
+            notes: 0,
             theta: query.theta,
+        })
+    }
+
+    /// The sample.
+    pub fn query(&self) -> Query {
+        Query {
+            instance: self.instance as usize,
+            theta: self.theta,
+        }
+    }
+
+    fn write(&self, writer: &mut Writer<'_>, parameters: usize) {
+        writer.u32(self.instance);
+        // From -255 to 2.
+        writer.i16(self.outcome.code() as i16);
+        writer.u16(u16::from(self.asked) | u16::from(self.notes) << 8);
+        for value in self.theta.iter().take(parameters) {
+            writer.f64(*value);
+        }
+    }
+
+    fn read(reader: &mut Reader<'_>, parameters: usize) -> Result<Self, Error> {
+        let instance = reader.u32()?;
+        let outcome = Outcome::from_code(reader.i16()?.into())
+            .map_err(|_| Error::Corrupt("a saved outcome is none"))?;
+        let [asked, notes] = reader.u16()?.to_le_bytes();
+        let mut theta = [0.0; MAX_PARAMETERS];
+        for value in theta.iter_mut().take(parameters) {
+            *value = reader.f64()?;
+        }
+        Ok(Observation {
+            instance,
+            outcome,
+            asked: asked != 0,
+            notes,
+            theta,
         })
     }
 }
@@ -64,7 +113,8 @@ impl Observation {
 /// How many bytes [`save`] needs for a learner in its present state.
 pub fn saved_len(learner: &(impl Learner + ?Sized), problem: &Problem<'_>) -> usize {
     let each = 8 + 8 * problem.domain().parameters().len();
-    FRAME + HEADER + each * learner.observations().len()
+    let open = usize::from(learner.open().is_some());
+    FRAME + HEADER + each * (learner.observations().len() + open)
 }
 
 /// Writes what a learner was told into `bytes` and returns how many were used.
@@ -83,19 +133,17 @@ pub fn save(
     writer.u32(problem.fingerprint());
     writer.u32(learner.fingerprint());
     writer.u16(u16::try_from(parameters).map_err(|_| TOO_MANY)?);
+    writer.u16(learner.notes().into());
     writer.u32(u32::try_from(observations.len()).map_err(|_| TOO_MANY)?);
-    for observation in observations {
-        writer.u32(observation.instance);
-        writer.i32(observation.outcome.code());
-        for value in observation.theta.iter().take(parameters) {
-            writer.f64(*value);
-        }
+    let open = learner.open();
+    writer.u32(open.is_some().into());
+    for observation in observations.iter().chain(&open) {
+        observation.write(&mut writer, parameters);
     }
     writer.finish("bytes for a saved learner")
 }
 
-/// Brings a fresh learner to the state that [`save`] wrote, by asking it the same
-/// questions and telling it the same answers.
+/// Brings a fresh learner to the state that [`save`] wrote, by telling it the same answers.
 ///
 /// # Errors
 /// [`Error::Corrupt`] for damaged bytes, [`Error::Mismatch`] if they were saved
@@ -107,9 +155,9 @@ pub fn resume<L: Learner + ?Sized>(
     problem: &Problem<'_>,
     bytes: &[u8],
 ) -> Result<(), Error> {
-    if !learner.observations().is_empty() {
+    if !learner.observations().is_empty() || learner.open().is_some() {
         return Err(Error::OutOfSequence(
-            "resume before the first answer is told",
+            "resume before anything is asked or told",
         ));
     }
     let mut reader = Reader::new(bytes, MAGIC, VERSION)?;
@@ -123,39 +171,21 @@ pub fn resume<L: Learner + ?Sized>(
             "saved with another configuration or capacity",
         ));
     }
-    let parameters = reader.u16()?;
+    let parameters = usize::from(reader.u16()?);
+    let [notes, _] = reader.u16()?.to_le_bytes();
     let count = reader.u32()?;
+    let open = reader.u32()?;
     if usize::try_from(count).map_or(true, |count| count > learner.room()) {
         return Err(Error::CapacityExceeded("observations"));
     }
     for _ in 0..count {
-        let instance = reader.u32()?;
-        let outcome = Outcome::from_code(reader.i32()?)
-            .map_err(|_| Error::Corrupt("a saved outcome is none"))?;
-        let mut theta = [0.0; MAX_PARAMETERS];
-        for value in theta.iter_mut().take(usize::from(parameters)) {
-            *value = reader.f64()?;
-        }
-        let saved = Observation {
-            instance,
-            outcome,
-            theta,
-        };
-        replay(learner, problem, &saved)?;
+        let saved = Observation::read(&mut reader, parameters)?;
+        learner.replay(problem, &saved)?;
     }
+    let open = match open {
+        0 => None,
+        _ => Some(Observation::read(&mut reader, parameters)?),
+    };
+    learner.reopen(problem, notes, open.as_ref())?;
     reader.finish()
-}
-
-fn replay(
-    learner: &mut (impl Learner + ?Sized),
-    problem: &Problem<'_>,
-    saved: &Observation,
-) -> Result<(), Error> {
-    let query = learner.ask(problem)?;
-    if Observation::new(&query, saved.outcome)? != *saved {
-        return Err(Error::Mismatch(
-            "the saved samples are not those of this learner",
-        ));
-    }
-    learner.tell(problem, saved.outcome)
 }

@@ -8,7 +8,7 @@ use critreg_core::learn;
 
 /// Saves what a learner was told, so that a run can be resumed: versioned,
 /// checksummed, the same on every machine. A sample that was asked for but not
-/// told is asked for again after resuming.
+/// told is saved with it, and asked for again after resuming.
 ///
 /// @param learner The learner.
 /// @param instances The problem instances, as for critreg_ask().

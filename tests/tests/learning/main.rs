@@ -3,5 +3,6 @@
 mod bodies;
 mod learners;
 mod membership;
+mod observing;
 mod proposals;
 mod version_space;

@@ -321,6 +321,38 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         Ok(())
     }
 
+    fn observe(&mut self, _: &Problem<'_>, _: &Query, _: Outcome) -> Result<(), Error> {
+        Err(Error::InvalidArgument(
+            "Algorithm 1 learns from the samples that it asks for only",
+        ))
+    }
+
+    fn conclude(&mut self, _: &Problem<'_>) -> Result<(), Error> {
+        Ok(())
+    }
+
+    fn open(&self) -> Option<Observation> {
+        Observation::new(self.pending.as_ref()?, Outcome::Unknown).ok()
+    }
+
+    fn notes(&self) -> u8 {
+        0
+    }
+
+    fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error> {
+        if self.ask(problem)? != saved.query() {
+            return Err(Error::Mismatch(
+                "the saved samples are not those of this learner",
+            ));
+        }
+        self.tell(problem, saved.outcome)
+    }
+
+    fn reopen(&mut self, _: &Problem<'_>, _: u8, _: Option<&Observation>) -> Result<(), Error> {
+        // The question is the next one.
+        Ok(())
+    }
+
     fn is_finished(&self) -> bool {
         self.phase == Phase::Finished
     }
