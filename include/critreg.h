@@ -1840,8 +1840,8 @@ critreg_status critreg_learner_parameter_count(const struct critreg_learner *lea
  *
  * @param learner The learner.
  * @param instances The problem instances, one behind the other: count times one
- * number per attribute. They must be the same in all calls until learning is
- * finished.
+ * number per attribute. They must be the same in all calls; others may be appended,
+ * as far as there is room for them: what was told is then taken in again.
  * @param count How many instances there are, at least one.
  * @param simulate Tries a sample.
  * @param user_data Passed to simulate.
@@ -2074,8 +2074,8 @@ critreg_status critreg_learner_save(struct critreg_learner *learner,
  * replaying what was told.
  *
  * @param learner A learner that was just made, with the domain, configuration and
- * number of forms of the saved one.
- * @param instances The instances of the saved run.
+ * number of forms of the saved one. It may have other calls, and room for more.
+ * @param instances The instances of the saved run, and perhaps others behind.
  * @param count How many there are.
  * @param bytes The saved bytes.
  * @param len How many there are.

@@ -174,9 +174,48 @@ static void region_over_the_state(void)
     EXPECT_TRUE(inside == 1);
 }
 
+/* A log of tries that nobody asked for. */
+static void passive(void)
+{
+    critreg_learner *learner = learner_for(1, 0, 0.0);
+    const critreg_region *region = NULL;
+    critreg_report report;
+    critreg_outcome outcome;
+    double theta;
+    size_t tried, instance;
+    int32_t inside;
+    const double samples[] = {0.85, 0.95}, wall[] = {1.0, 0.0};
+
+    for (tried = 0; tried < 200; tried++) {
+        instance = tried % INSTANCES;
+        theta = 0.01 * (double)(tried * 37 % 100);
+        outcome = theta <= WALLS[2 * instance] - 0.1;
+        OK(critreg_observe(learner, WALLS, INSTANCES, instance, &theta, outcome));
+    }
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_observe(learner, WALLS, INSTANCES, INSTANCES, &theta, CRITREG_FEASIBLE));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_observe(learner, WALLS, INSTANCES, 0, &theta, CRITREG_NO_OUTCOME));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_observe(learner, WALLS, INSTANCES, 0, NULL, CRITREG_FEASIBLE));
+    theta = NAN;
+    EXPECT(CRITREG_NOT_FINITE,
+           critreg_observe(learner, WALLS, INSTANCES, 0, &theta, CRITREG_FEASIBLE));
+    OK(critreg_conclude(learner, WALLS, INSTANCES));
+    OK(critreg_report_init(&report, sizeof report));
+    OK(critreg_learner_report(learner, &report));
+    EXPECT_TRUE(report.calls == 0 && report.observed == 200);
+    OK(critreg_learner_region(learner, &region));
+    for (tried = 0; tried < 2; tried++) {
+        OK(critreg_region_contains(region, wall, &samples[tried], &inside));
+        EXPECT_TRUE(inside == (tried == 0));
+    }
+}
+
 int main(void)
 {
     chain();
+    passive();
     noise();
     certificate();
     no_region();

@@ -5,6 +5,7 @@
 //! | 4 | `CRLG` |
 //! | 2 | version |
 //! | 4 | fingerprint of the problem |
+//! | 4 | number of its instances |
 //! | 4 | fingerprint of the learner |
 //! | 2 | number of parameters n |
 //! | 2 | what the learner did since the last observation |
@@ -16,7 +17,7 @@
 //! What a learner did follows from the observations and the notes beside them, so nothing is
 //! asked again to resume it.
 
-use super::problem::Problem;
+use super::problem::{Begun, Problem};
 use super::{Learner, Outcome, Query};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
@@ -26,7 +27,7 @@ use crate::wire::{FRAME, Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRLG";
 const VERSION: u16 = 3;
-const HEADER: usize = 4 + 4 + 2 + 2 + 4 + 4;
+const HEADER: usize = 4 + 4 + 4 + 2 + 2 + 4 + 4;
 
 /// A sample that was tried and what came of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -130,7 +131,9 @@ pub fn save(
     let observations = learner.observations();
     let parameters = problem.domain().parameters().len();
     let mut writer = Writer::new(bytes, MAGIC, VERSION);
-    writer.u32(problem.fingerprint());
+    let Begun { fingerprint, count } = problem.begun();
+    writer.u32(fingerprint);
+    writer.u32(count);
     writer.u32(learner.fingerprint());
     writer.u16(u16::try_from(parameters).map_err(|_| TOO_MANY)?);
     writer.u16(learner.notes().into());
@@ -144,6 +147,8 @@ pub fn save(
 }
 
 /// Brings a fresh learner to the state that [`save`] wrote, by telling it the same answers.
+/// It may have more calls and more room than the saved one had, and more instances behind
+/// those of the saved run.
 ///
 /// # Errors
 /// [`Error::Corrupt`] for damaged bytes, [`Error::Mismatch`] if they were saved
@@ -161,7 +166,11 @@ pub fn resume<L: Learner + ?Sized>(
         ));
     }
     let mut reader = Reader::new(bytes, MAGIC, VERSION)?;
-    if reader.u32()? != problem.fingerprint() {
+    let begun = Begun {
+        fingerprint: reader.u32()?,
+        count: reader.u32()?,
+    };
+    if !problem.continues(begun) {
         return Err(Error::Mismatch(
             "saved for another domain or other instances",
         ));

@@ -84,7 +84,8 @@ pub struct Query {
     pub theta: Theta,
 }
 
-/// The interface that all learners share.
+/// The interface that all learners share. The problem is the same in all calls; only
+/// instances may be appended, which [`Algorithm1`] refuses.
 pub trait Learner {
     /// The sample to try next. Asking again before the answer is told gives the
     /// same sample.

@@ -45,8 +45,8 @@ pub unsafe extern "C" fn critreg_learner_save(
 /// replaying what was told.
 ///
 /// @param learner A learner that was just made, with the domain, configuration and
-/// number of forms of the saved one.
-/// @param instances The instances of the saved run.
+/// number of forms of the saved one. It may have other calls, and room for more.
+/// @param instances The instances of the saved run, and perhaps others behind.
 /// @param count How many there are.
 /// @param bytes The saved bytes.
 /// @param len How many there are.

@@ -1,6 +1,7 @@
 //! The learners: what each promises, what all promise, and what they prove.
 
 mod bodies;
+mod growing;
 mod learners;
 mod membership;
 mod observing;

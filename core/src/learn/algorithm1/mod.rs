@@ -43,7 +43,7 @@ pub use bounds::Bounds;
 pub use config::{Capacity, Config, Memory, Report};
 
 use super::log::Observation;
-use super::problem::Problem;
+use super::problem::{Begun, Problem};
 use super::{Learner, Outcome, Query};
 use crate::domain::{Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene};
 use crate::error::Error;
@@ -113,7 +113,7 @@ pub struct Algorithm1<'m, R> {
     rng: Generator,
     phase: Phase,
     pending: Option<Query>,
-    problem: Option<u32>,
+    problem: Option<Begun>,
     points: PointSet,
     region: Region,
     report: Report,
@@ -289,7 +289,7 @@ impl<'m, R: Real> Algorithm1<'m, R> {
 
 impl<R: Real> Learner for Algorithm1<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
-        self.problem.get_or_insert(problem.fingerprint());
+        self.problem.get_or_insert(problem.begun());
         problem.check_begun(self.problem)?;
         if let Some(pending) = self.pending {
             return Ok(pending);

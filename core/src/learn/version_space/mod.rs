@@ -67,7 +67,7 @@
 //! | `committee` | the hypotheses that are known, and their votes |
 //! | `selection` | repairing and selecting hypotheses |
 //! | `describe`, `name` | clauses in words of the domain |
-//! | `telling` | taking answers in |
+//! | `telling`, `growing` | taking answers in; instances that arrive |
 //! | `query/` | which sample to ask about, a file for each strategy |
 //! | `tuning` | all numbers that decide what is learned |
 
@@ -81,6 +81,7 @@ mod describe;
 mod disjunction;
 mod forms;
 mod greedy;
+mod growing;
 mod hypothesis;
 mod improve;
 mod membership;
@@ -104,7 +105,7 @@ pub use report::{Evidence, Report};
 pub use tuning::Tuning;
 
 use super::log::Observation;
-use super::problem::Problem;
+use super::problem::{Begun, Problem};
 use super::{Learner, Outcome, Query};
 use crate::domain::{Domain, MAX_PARAMETERS};
 use crate::error::Error;
@@ -139,7 +140,7 @@ pub struct VersionSpace<'m, R> {
     /// The question that is open.
     pending: Option<Trial>,
     since: Since,
-    problem: Option<u32>,
+    problem: Option<Begun>,
     /// Instances that were not asked about, if there is nothing else to ask about.
     unasked: Option<u32>,
     /// How far one outcome must lead.
@@ -246,24 +247,6 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             && self.is_significant()
     }
 
-    /// Gets to know the instances, if it does not yet.
-    ///
-    /// # Errors
-    /// [`Error::Mismatch`] if it knows others.
-    #[inline(never)]
-    fn begin(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
-        if self.problem.is_some() {
-            return problem.check_begun(self.problem);
-        }
-        self.forms.lay_out(problem)?;
-        self.report.forms = self.forms.len();
-        self.report.forms_left_out = self.forms.left_out();
-        self.problem = Some(problem.fingerprint());
-        let count = u32::try_from(problem.count()).unwrap_or(u32::MAX);
-        self.unasked = problem.domain().parameters().is_empty().then_some(count);
-        Ok(())
-    }
-
     /// Starts the random numbers of a step anew. They follow from what was told, not from
     /// what was asked, so that a run is resumed without asking again.
     fn reseed(&mut self, step: Step) {
@@ -365,13 +348,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
 
     fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error> {
         self.begin(problem)?;
-        self.redo(problem.domain(), saved.notes);
-        let trial = self.trial_of(saved)?;
-        let left = self.take(problem, trial, saved.outcome)?;
-        if saved.asked {
-            self.pending = left;
-        }
-        Ok(())
+        self.take_again(problem, saved)
     }
 
     fn reopen(
@@ -425,9 +402,6 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         } = self.capacity;
         let sums = self.capacity.sums() as u64;
         for number in [self.config.seed, forms as u64, steps as u64, sums] {
-            digest.update(&number.to_le_bytes());
-        }
-        for number in [self.config.calls, self.config.certifying] {
             digest.update(&number.to_le_bytes());
         }
         for number in [

@@ -134,11 +134,28 @@ impl<R: Real> VersionSpace<'_, R> {
         if decided {
             self.learn(problem.domain(), &trial);
         }
-        let last = asked && self.is_out_of_calls();
+        // A run that is resumed may have had more calls.
+        let within = self.report.calls as u64 <= u64::from(self.config.calls);
+        let last = asked && within && self.is_out_of_calls();
         if (last && !self.certifying) || (!asked && self.has_grown()) {
             self.reselect(problem.domain());
         }
         Ok(None)
+    }
+
+    /// Does what led to an observation that was taken once, and takes it again.
+    pub(super) fn take_again(
+        &mut self,
+        problem: &Problem<'_>,
+        saved: &Observation,
+    ) -> Result<(), Error> {
+        self.redo(problem.domain(), saved.notes);
+        let trial = self.trial_of(saved)?;
+        let left = self.take(problem, trial, saved.outcome)?;
+        if saved.asked {
+            self.pending = left;
+        }
+        Ok(())
     }
 
     /// Does what was done before a saved observation, or after the last one.
