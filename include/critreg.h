@@ -1983,7 +1983,7 @@ critreg_status critreg_is_finished(const struct critreg_learner *learner,
  * @param learner The learner.
  * @param region Receives the region. It belongs to the learner and is valid until
  * the next call of critreg_learn_region(), critreg_tell(), critreg_observe(),
- * critreg_conclude() or critreg_learner_resume() on it; after that using it gives
+ * critreg_conclude(), critreg_learner_resume() or critreg_learner_resume_journal() on it; after that using it gives
  * CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
  * what supports its constraints is not saved.
  * @return CRITREG_NO_REGION if there is none, see critreg_learner_why();
@@ -2091,6 +2091,62 @@ critreg_status critreg_learner_resume(struct critreg_learner *learner,
                                       size_t count,
                                       const uint8_t *bytes,
                                       size_t len);
+
+/**
+ * Writes what is to be appended to a journal: a file to which a program adds each answer as
+ * it is told, instead of saving the whole run again. Each record has a checksum of its own,
+ * so one that was torn when the machine stopped is noticed and everything before it stands.
+ *
+ * ```c
+ * CHECK(critreg_tell(learner, instances, count, outcome));
+ * CHECK(critreg_learner_journal(learner, instances, count, written, bytes, sizeof bytes, &len));
+ * fwrite(bytes, 1, len, file);
+ * fflush(file);
+ * written++;
+ * ```
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @param from How many observations the journal has, asked for or not: those from there on
+ * are written.
+ * @param bytes Receives the bytes; a record takes 34 and 8 for each parameter.
+ * @param len Length of bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives how many bytes it takes, also if the buffer is
+ * too small.
+ * @return As critreg_learner_save().
+ */
+critreg_status critreg_learner_journal(struct critreg_learner *learner,
+                                       const double *instances,
+                                       size_t count,
+                                       size_t from,
+                                       uint8_t *bytes,
+                                       size_t len,
+                                       size_t *needed);
+
+/**
+ * Brings a fresh learner to the state that a journal tells of.
+ *
+ * @param learner A learner as for critreg_learner_resume().
+ * @param instances The instances of the run, and perhaps others behind.
+ * @param count How many there are.
+ * @param bytes The journal.
+ * @param len How many bytes it has.
+ * @param stands NULL, or receives how many of them stand. What is behind was torn or
+ * damaged and left out; cut it off before anything is appended.
+ * @return CRITREG_MISMATCH for a record of another domain, instances, configuration or
+ * number of forms, CRITREG_CORRUPT if one is missing before it,
+ * CRITREG_CAPACITY_EXCEEDED if there is no room for it: those before were told then;
+ * CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_INVALID_ARGUMENT,
+ * CRITREG_NOT_FINITE, CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_resume_journal(struct critreg_learner *learner,
+                                              const double *instances,
+                                              size_t count,
+                                              const uint8_t *bytes,
+                                              size_t len,
+                                              size_t *stands);
 
 /**
  * How many bytes of memory a region takes that does not belong to a learner.

@@ -390,6 +390,25 @@ public:
                                      bytes.size()));
     }
 
+    /** What is to be appended to a journal that has the first so many observations. */
+    std::vector<std::uint8_t> journal(const std::vector<double> &instances, std::size_t from) {
+        return detail::filled<std::vector<std::uint8_t>>(
+            [&](std::uint8_t *bytes, std::size_t len, std::size_t *needed) {
+                return critreg_learner_journal(handle(), instances.data(), count(instances), from,
+                                               bytes, len, needed);
+            });
+    }
+
+    /** Brings a fresh learner to the state that a journal tells of. Returns how many of its
+     *  bytes stand; what is behind was torn. */
+    std::size_t resume_journal(const std::vector<double> &instances,
+                               const std::vector<std::uint8_t> &bytes) {
+        std::size_t stands = 0;
+        check(critreg_learner_resume_journal(handle(), instances.data(), count(instances),
+                                             bytes.data(), bytes.size(), &stands));
+        return stands;
+    }
+
     /** For functions of critreg.h; NULL if the learner was moved away. */
     critreg_learner *handle() const noexcept {
         return reinterpret_cast<critreg_learner *>(memory_.get());

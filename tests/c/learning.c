@@ -212,10 +212,43 @@ static void passive(void)
     }
 }
 
+/* A run whose machine stopped while the last record was written. */
+static void journal(void)
+{
+    critreg_learner *learner = learner_for(1, 20, 0.0);
+    static uint8_t bytes[20 * 42];
+    critreg_report report;
+    critreg_outcome outcome;
+    size_t written, instance, needed, len = 0, stands = 0;
+    double theta;
+
+    for (written = 0; written < 10; written++) {
+        OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+        outcome = theta <= WALLS[2 * instance] - 0.1;
+        OK(critreg_tell(learner, WALLS, INSTANCES, outcome));
+        OK(critreg_learner_journal(learner, WALLS, INSTANCES, written, bytes + len,
+                                   sizeof bytes - len, &needed));
+        EXPECT_TRUE(needed == 42);
+        len += needed;
+    }
+    EXPECT(CRITREG_TOO_SMALL,
+           critreg_learner_journal(learner, WALLS, INSTANCES, 0, bytes, len - 1, &needed));
+    EXPECT_TRUE(needed == len);
+    EXPECT(CRITREG_OUT_OF_SEQUENCE,
+           critreg_learner_resume_journal(learner, WALLS, INSTANCES, bytes, len, &stands));
+    learner = learner_for(1, 40, 0.0);
+    OK(critreg_learner_resume_journal(learner, WALLS, INSTANCES, bytes, len - 5, &stands));
+    EXPECT_TRUE(stands == len - 42);
+    OK(critreg_report_init(&report, sizeof report));
+    OK(critreg_learner_report(learner, &report));
+    EXPECT_TRUE(report.calls == 9);
+}
+
 int main(void)
 {
     chain();
     passive();
+    journal();
     noise();
     certificate();
     no_region();

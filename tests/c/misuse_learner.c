@@ -30,6 +30,9 @@ static void no_handle(critreg_learner *learner, critreg_status expected)
     EXPECT(expected, critreg_learner_parameter_count(learner, &number));
     EXPECT(expected, critreg_learner_save(learner, WALLS, INSTANCES, bytes, 64, &needed));
     EXPECT(expected, critreg_learner_resume(learner, WALLS, INSTANCES, bytes, 64));
+    EXPECT(expected, critreg_learner_journal(learner, WALLS, INSTANCES, 0, bytes, 64, &needed));
+    EXPECT(expected,
+           critreg_learner_resume_journal(learner, WALLS, INSTANCES, bytes, 64, &needed));
 }
 
 static void wrong_handles(void)

@@ -82,23 +82,28 @@ impl Observation {
         }
     }
 
-    fn write(&self, writer: &mut Writer<'_>, parameters: usize) {
+    /// How many bytes it takes to write one.
+    pub(super) fn saved_len(problem: &Problem<'_>) -> usize {
+        8 + 8 * problem.domain().parameters().len()
+    }
+
+    pub(super) fn write(&self, writer: &mut Writer<'_>, problem: &Problem<'_>) {
         writer.u32(self.instance);
         // From -255 to 2.
         writer.i16(self.outcome.code() as i16);
         writer.u16(u16::from(self.asked) | u16::from(self.notes) << 8);
-        for value in self.theta.iter().take(parameters) {
+        for (value, _) in self.theta.iter().zip(problem.domain().parameters()) {
             writer.f64(*value);
         }
     }
 
-    fn read(reader: &mut Reader<'_>, parameters: usize) -> Result<Self, Error> {
+    pub(super) fn read(reader: &mut Reader<'_>, problem: &Problem<'_>) -> Result<Self, Error> {
         let instance = reader.u32()?;
         let outcome = Outcome::from_code(reader.i16()?.into())
             .map_err(|_| Error::Corrupt("a saved outcome is none"))?;
         let [asked, notes] = reader.u16()?.to_le_bytes();
         let mut theta = [0.0; MAX_PARAMETERS];
-        for value in theta.iter_mut().take(parameters) {
+        for (value, _) in theta.iter_mut().zip(problem.domain().parameters()) {
             *value = reader.f64()?;
         }
         Ok(Observation {
@@ -113,7 +118,7 @@ impl Observation {
 
 /// How many bytes [`save`] needs for a learner in its present state.
 pub fn saved_len(learner: &(impl Learner + ?Sized), problem: &Problem<'_>) -> usize {
-    let each = 8 + 8 * problem.domain().parameters().len();
+    let each = Observation::saved_len(problem);
     let open = usize::from(learner.open().is_some());
     FRAME + HEADER + each * (learner.observations().len() + open)
 }
@@ -141,7 +146,7 @@ pub fn save(
     let open = learner.open();
     writer.u32(open.is_some().into());
     for observation in observations.iter().chain(&open) {
-        observation.write(&mut writer, parameters);
+        observation.write(&mut writer, problem);
     }
     writer.finish("bytes for a saved learner")
 }
@@ -160,27 +165,17 @@ pub fn resume<L: Learner + ?Sized>(
     problem: &Problem<'_>,
     bytes: &[u8],
 ) -> Result<(), Error> {
-    if !learner.observations().is_empty() || learner.open().is_some() {
-        return Err(Error::OutOfSequence(
-            "resume before anything is asked or told",
-        ));
-    }
+    check_fresh(learner)?;
     let mut reader = Reader::new(bytes, MAGIC, VERSION)?;
-    let begun = Begun {
-        fingerprint: reader.u32()?,
-        count: reader.u32()?,
-    };
-    if !problem.continues(begun) {
-        return Err(Error::Mismatch(
-            "saved for another domain or other instances",
-        ));
-    }
+    Begun::check(&mut reader, problem)?;
     if reader.u32()? != learner.fingerprint() {
         return Err(Error::Mismatch(
             "saved with another configuration or capacity",
         ));
     }
-    let parameters = usize::from(reader.u16()?);
+    if usize::from(reader.u16()?) != problem.domain().parameters().len() {
+        return Err(Error::Corrupt("the saved samples have other parameters"));
+    }
     let [notes, _] = reader.u16()?.to_le_bytes();
     let count = reader.u32()?;
     let open = reader.u32()?;
@@ -188,13 +183,39 @@ pub fn resume<L: Learner + ?Sized>(
         return Err(Error::CapacityExceeded("observations"));
     }
     for _ in 0..count {
-        let saved = Observation::read(&mut reader, parameters)?;
+        let saved = Observation::read(&mut reader, problem)?;
         learner.replay(problem, &saved)?;
     }
     let open = match open {
         0 => None,
-        _ => Some(Observation::read(&mut reader, parameters)?),
+        _ => Some(Observation::read(&mut reader, problem)?),
     };
     learner.reopen(problem, notes, open.as_ref())?;
     reader.finish()
+}
+
+/// Checks that nothing was asked or told yet.
+pub(super) fn check_fresh(learner: &(impl Learner + ?Sized)) -> Result<(), Error> {
+    match learner.observations().is_empty() && learner.open().is_none() {
+        true => Ok(()),
+        false => Err(Error::OutOfSequence(
+            "resume before anything is asked or told",
+        )),
+    }
+}
+
+impl Begun {
+    /// Reads the problem that something was saved for, and checks that it goes on with this.
+    pub(super) fn check(reader: &mut Reader<'_>, problem: &Problem<'_>) -> Result<(), Error> {
+        let begun = Begun {
+            fingerprint: reader.u32()?,
+            count: reader.u32()?,
+        };
+        match problem.continues(begun) {
+            true => Ok(()),
+            false => Err(Error::Mismatch(
+                "saved for another domain or other instances",
+            )),
+        }
+    }
 }

@@ -60,6 +60,7 @@
 //! ```
 
 pub mod algorithm1;
+mod journal;
 mod log;
 mod outcome;
 mod problem;
@@ -67,6 +68,7 @@ mod tables;
 pub mod version_space;
 
 pub use algorithm1::Algorithm1;
+pub use journal::{journal, journal_len, resume_journal};
 pub use log::{Observation, resume, save, saved_len};
 pub use outcome::Outcome;
 pub use problem::Problem;

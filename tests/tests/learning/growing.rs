@@ -3,7 +3,10 @@
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config, Quality};
-use critreg::learn::{Learner, Outcome, Problem, Query, VersionSpace, resume, save, saved_len};
+use critreg::learn::{
+    Learner, Outcome, Problem, Query, VersionSpace, journal, journal_len, resume, resume_journal,
+    save, saved_len,
+};
 use critreg::random::{generator, uniform_in};
 use critreg_tests::room::VersionSpaceRoom;
 use proptest::prelude::*;
@@ -128,8 +131,80 @@ fn only_appended_instances_are_the_same_problem() {
     assert!(matches!(learner.ask(&begun), Err(Error::Mismatch(_))));
 }
 
+fn appended(learner: &VersionSpace<'_, f64>, problem: &Problem<'_>, from: usize) -> Vec<u8> {
+    let mut bytes = vec![0; journal_len(learner, problem, from)];
+    journal(learner, problem, from, &mut bytes).unwrap();
+    bytes
+}
+
+#[test]
+fn a_journal_is_checked() {
+    let domain = Domain::parse(SHELF).unwrap();
+    let shelves = shelves(1);
+    let problem = problem(&domain, &shelves, 4);
+    let (mut first, mut second) = (room(100), room(100));
+    let capacity = first.capacity;
+    let mut learner = VersionSpace::new(&domain, config(1, 100), capacity, first.lend()).unwrap();
+    go_on(&mut learner, &problem, 3);
+    let bytes = appended(&learner, &problem, 0);
+    let record = bytes.len() / 3;
+    assert_eq!(appended(&learner, &problem, 2), bytes[2 * record..]);
+    assert!(journal(&learner, &problem, 0, &mut [0; 8]).is_err());
+    let used = resume_journal(&mut learner, &problem, &bytes);
+    assert!(matches!(used, Err(Error::OutOfSequence(_))));
+    let mut resumed = |seed: u64, bytes: &[u8]| {
+        let mut fresh =
+            VersionSpace::new(&domain, config(seed, 100), capacity, second.lend()).unwrap();
+        let stands = resume_journal(&mut fresh, &problem, bytes);
+        (stands, fresh.observations().len())
+    };
+    // Whatever is torn or damaged, what is before it stands.
+    for at in 0..bytes.len() {
+        let whole = at / record;
+        assert_eq!(resumed(1, &bytes[..at]), (Ok(whole * record), whole));
+        let mut damaged = bytes.clone();
+        damaged[at] ^= 0x10;
+        assert_eq!(resumed(1, &damaged), (Ok(whole * record), whole));
+    }
+    assert_eq!(resumed(1, &bytes), (Ok(3 * record), 3));
+    assert!(matches!(resumed(2, &bytes), (Err(Error::Mismatch(_)), 0)));
+    assert!(matches!(
+        resumed(1, &bytes[record..]),
+        (Err(Error::Corrupt(_)), 0)
+    ));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
+
+    #[test]
+    fn a_journal_and_a_saved_run_resume_the_same(
+        seed in any::<u64>(), few in 0usize..30, before in 0usize..30, after in 0usize..30,
+    ) {
+        let domain = Domain::parse(SHELF).unwrap();
+        let shelves = shelves(seed);
+        let mut written = Vec::new();
+        let (mut first, mut second) = (room(100), room(100));
+        let capacity = first.capacity;
+        let mut going =
+            VersionSpace::new(&domain, config(seed, 100), capacity, first.lend()).unwrap();
+        let more = problem(&domain, &shelves, INSTANCES);
+        for (count, calls) in [(3, few), (INSTANCES, before)] {
+            let problem = problem(&domain, &shelves, count);
+            for _ in 0..calls {
+                let told = going.observations().len();
+                go_on(&mut going, &problem, 1);
+                written.extend(appended(&going, &problem, told));
+            }
+        }
+        let mut resumed =
+            VersionSpace::new(&domain, config(seed, 100), capacity, second.lend()).unwrap();
+        prop_assert_eq!(resume_journal(&mut resumed, &more, &written), Ok(written.len()));
+        go_on(&mut going, &more, after);
+        go_on(&mut resumed, &more, after);
+        prop_assert_eq!(going.observations(), resumed.observations());
+        prop_assert_eq!(going.region(), resumed.region());
+    }
 
     /// A learner knows what follows from what was told and the instances there are.
     #[test]
