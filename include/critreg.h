@@ -571,7 +571,7 @@
  * Bytes of a sample that was told, apart from its left sides; for
  * CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_OBSERVATION_BYTES 80
+#define CRITREG_OBSERVATION_BYTES 76
 
 /**
  * Bytes of a feature, apart from its values in the instances; for
@@ -1056,7 +1056,7 @@ typedef struct critreg_report {
      */
     uint64_t remaining;
     /**
-     * Outcomes told: calls of the simulator.
+     * Outcomes told of what was asked: calls of the simulator.
      */
     uint64_t calls;
     /**
@@ -1113,6 +1113,10 @@ typedef struct critreg_report {
      * See recall_low.
      */
     double recall_high;
+    /**
+     * Outcomes told of what was not asked, see critreg_observe().
+     */
+    uint64_t observed;
 } critreg_report;
 
 /**
@@ -1159,7 +1163,7 @@ typedef struct critreg_config {
      * Samples to have room for. When they are used up, telling returns
      * CRITREG_CAPACITY_EXCEEDED. CRITREG_VERSION_SPACE takes at most
      * CRITREG_MAX_OBSERVATIONS. Default 0: CRITREG_DEFAULT_OBSERVATIONS, or
-     * calls + 2 if that is more.
+     * calls + 2 if that is more; with critreg_observe() say how many it takes in all.
      */
     uint32_t observations;
     /**
@@ -2051,8 +2055,8 @@ critreg_status critreg_learner_parameter_count(const struct critreg_learner *lea
  *
  * @param learner The learner.
  * @param instances The problem instances, one behind the other: count times one
- * number per attribute. They must be the same in all calls until learning is
- * finished.
+ * number per attribute. They must be the same in all calls; others may be appended,
+ * as far as there is room for them: what was told is then taken in again.
  * @param count How many instances there are, at least one.
  * @param simulate Tries a sample.
  * @param user_data Passed to simulate.
@@ -2108,6 +2112,58 @@ critreg_status critreg_ask(struct critreg_learner *learner,
                            double *theta);
 
 /**
+ * Tells the learner what came of a sample that it did not ask for: of a log, a
+ * demonstration, somebody else's trials. It costs no call, works before anything is asked
+ * and between critreg_ask() and critreg_tell() (the sample that was asked for stays to be
+ * told), and is saved with the run. Where few parameters work, one sample that works says
+ * where to look: also for a slot of a ten thousandth of the range.
+ *
+ * ```c
+ * for (size_t i = 0; i < logged; ++i)
+ *     CHECK(critreg_observe(learner, instances, count, log[i].instance, log[i].theta,
+ *                           log[i].worked));
+ * CHECK(critreg_conclude(learner, instances, count));
+ * ```
+ *
+ * With noise, what was asked for is asked again until its outcome is beyond doubt; what was
+ * not is taken at its word, and wrong outcomes make the region an approximate one.
+ *
+ * @param learner The learner; CRITREG_VERSION_SPACE.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @param instance The index of the instance that it was tried in.
+ * @param theta The parameters: one number each. NULL if there are none.
+ * @param outcome What came of it.
+ * @return CRITREG_CAPACITY_EXCEEDED if there is no room for another observation
+ * (critreg_config.observations; those of the calls take some, too);
+ * CRITREG_INVALID_ARGUMENT for an instance or outcome that is none, a step that the
+ * configuration does not have, or CRITREG_ALGORITHM1; CRITREG_NOT_FINITE for a parameter;
+ * and as critreg_ask() where that is not finished. Then nothing was told.
+ */
+critreg_status critreg_observe(struct critreg_learner *learner,
+                               const double *instances,
+                               size_t count,
+                               size_t instance,
+                               const double *theta,
+                               critreg_outcome outcome);
+
+/**
+ * Brings the region up to date with everything that was told. The region agrees with that
+ * anyway as far as it can; but a better one is only looked for when the learner asks, at
+ * the end, and now and then while critreg_observe() is called. A program that only
+ * observes calls it before it asks for the region. What is asked next may be something
+ * else than without it.
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @return As critreg_ask(), where that is not finished.
+ */
+critreg_status critreg_conclude(struct critreg_learner *learner,
+                                const double *instances,
+                                size_t count);
+
+/**
  * Tells the learner what came of the sample it asked for. If this fails, the
  * sample is still to be told.
  *
@@ -2141,8 +2197,8 @@ critreg_status critreg_is_finished(const struct critreg_learner *learner,
  *
  * @param learner The learner.
  * @param region Receives the region. It belongs to the learner and is valid until
- * the next call of critreg_learn_region(), critreg_tell() or
- * critreg_learner_resume() on it; after that using it gives
+ * the next call of critreg_learn_region(), critreg_tell(), critreg_observe(),
+ * critreg_conclude(), critreg_learner_resume() or critreg_learner_resume_journal() on it; after that using it gives
  * CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
  * what supports its constraints is not saved.
  * @return CRITREG_NO_REGION if there is none, see critreg_learner_why();
@@ -2208,7 +2264,7 @@ critreg_status critreg_learner_message(const struct critreg_learner *learner,
 /**
  * Saves what a learner was told, so that a run can be resumed: versioned,
  * checksummed, the same on every machine. A sample that was asked for but not
- * told is asked for again after resuming.
+ * told is saved with it, and asked for again after resuming.
  *
  * @param learner The learner.
  * @param instances The problem instances, as for critreg_ask().
@@ -2233,8 +2289,8 @@ critreg_status critreg_learner_save(struct critreg_learner *learner,
  * replaying what was told.
  *
  * @param learner A learner that was just made, with the domain, configuration and
- * number of forms of the saved one.
- * @param instances The instances of the saved run.
+ * number of forms of the saved one. It may have other calls, and room for more.
+ * @param instances The instances of the saved run, and perhaps others behind.
  * @param count How many there are.
  * @param bytes The saved bytes.
  * @param len How many there are.
@@ -2250,6 +2306,62 @@ critreg_status critreg_learner_resume(struct critreg_learner *learner,
                                       size_t count,
                                       const uint8_t *bytes,
                                       size_t len);
+
+/**
+ * Writes what is to be appended to a journal: a file to which a program adds each answer as
+ * it is told, instead of saving the whole run again. Each record has a checksum of its own,
+ * so one that was torn when the machine stopped is noticed and everything before it stands.
+ *
+ * ```c
+ * CHECK(critreg_tell(learner, instances, count, outcome));
+ * CHECK(critreg_learner_journal(learner, instances, count, written, bytes, sizeof bytes, &len));
+ * fwrite(bytes, 1, len, file);
+ * fflush(file);
+ * written++;
+ * ```
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @param from How many observations the journal has, asked for or not: those from there on
+ * are written.
+ * @param bytes Receives the bytes; a record takes 34 and 8 for each parameter.
+ * @param len Length of bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives how many bytes it takes, also if the buffer is
+ * too small.
+ * @return As critreg_learner_save().
+ */
+critreg_status critreg_learner_journal(struct critreg_learner *learner,
+                                       const double *instances,
+                                       size_t count,
+                                       size_t from,
+                                       uint8_t *bytes,
+                                       size_t len,
+                                       size_t *needed);
+
+/**
+ * Brings a fresh learner to the state that a journal tells of.
+ *
+ * @param learner A learner as for critreg_learner_resume().
+ * @param instances The instances of the run, and perhaps others behind.
+ * @param count How many there are.
+ * @param bytes The journal.
+ * @param len How many bytes it has.
+ * @param stands NULL, or receives how many of them stand. What is behind was torn or
+ * damaged and left out; cut it off before anything is appended.
+ * @return CRITREG_MISMATCH for a record of another domain, instances, configuration or
+ * number of forms, CRITREG_CORRUPT if one is missing before it,
+ * CRITREG_CAPACITY_EXCEEDED if there is no room for it: those before were told then;
+ * CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_INVALID_ARGUMENT,
+ * CRITREG_NOT_FINITE, CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_resume_journal(struct critreg_learner *learner,
+                                              const double *instances,
+                                              size_t count,
+                                              const uint8_t *bytes,
+                                              size_t len,
+                                              size_t *stands);
 
 /**
  * How many bytes of memory a region takes that does not belong to a learner.

@@ -334,6 +334,18 @@ public:
         check(critreg_tell(handle(), instances.data(), count(instances), outcome));
     }
 
+    /** What came of a sample that was not asked for: of a log, or a demonstration. */
+    void observe(const std::vector<double> &instances, const Query &query,
+                 critreg_outcome outcome) {
+        check(critreg_observe(handle(), instances.data(), count(instances), query.instance,
+                              checked(query).theta.data(), outcome));
+    }
+
+    /** Brings the region up to date with everything that was told, before it is asked for. */
+    void conclude(const std::vector<double> &instances) {
+        check(critreg_conclude(handle(), instances.data(), count(instances)));
+    }
+
     /** Whether there is nothing more to ask. */
     bool is_finished() const {
         std::int32_t finished;
@@ -378,6 +390,25 @@ public:
                                      bytes.size()));
     }
 
+    /** What is to be appended to a journal that has the first so many observations. */
+    std::vector<std::uint8_t> journal(const std::vector<double> &instances, std::size_t from) {
+        return detail::filled<std::vector<std::uint8_t>>(
+            [&](std::uint8_t *bytes, std::size_t len, std::size_t *needed) {
+                return critreg_learner_journal(handle(), instances.data(), count(instances), from,
+                                               bytes, len, needed);
+            });
+    }
+
+    /** Brings a fresh learner to the state that a journal tells of. Returns how many of its
+     *  bytes stand; what is behind was torn. */
+    std::size_t resume_journal(const std::vector<double> &instances,
+                               const std::vector<std::uint8_t> &bytes) {
+        std::size_t stands = 0;
+        check(critreg_learner_resume_journal(handle(), instances.data(), count(instances),
+                                             bytes.data(), bytes.size(), &stands));
+        return stands;
+    }
+
     /** For functions of critreg.h; NULL if the learner was moved away. */
     critreg_learner *handle() const noexcept {
         return reinterpret_cast<critreg_learner *>(memory_.get());
@@ -390,6 +421,12 @@ private:
         if (instances.size() % len != 0 || (instance_len_ == 0 && !instances.empty()))
             throw Error(CRITREG_INVALID_ARGUMENT, "the instances have the wrong length");
         return instance_len_ == 0 ? 1 : instances.size() / len;
+    }
+
+    const Query &checked(const Query &query) const {
+        if (query.theta.size() != parameter_count_)
+            throw Error(CRITREG_INVALID_ARGUMENT, "theta has the wrong length");
+        return query;
     }
 
     void check(critreg_status status) const {

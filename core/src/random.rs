@@ -12,6 +12,15 @@ pub fn generator(seed: u64) -> Generator {
     Generator::new(seed, 0xC217_4E60_0000_0001)
 }
 
+/// One of many seeds that follow from one, by its number: the finaliser of SplitMix64
+/// (Steele, Lea and Flood 2014).
+pub(crate) fn mixed(seed: u64, number: u64) -> u64 {
+    let mut x = seed ^ number.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    x = (x ^ (x >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    x ^ (x >> 31)
+}
+
 /// A number uniform in `[0, 1)`, with 53 random bits.
 pub fn uniform(rng: &mut (impl Rng + ?Sized)) -> f64 {
     uniform_real(rng)

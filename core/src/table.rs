@@ -106,6 +106,11 @@ impl<'m, T> Table<'m, T> {
         }
     }
 
+    /// What lies at a place, also if it was cleared.
+    pub(crate) fn slot(&self, place: usize) -> Option<&T> {
+        self.slots.get(place)
+    }
+
     /// Appends an item.
     ///
     /// # Errors

@@ -42,7 +42,7 @@ impl<'b> Writer<'b> {
         self.bytes(&value.to_le_bytes());
     }
 
-    pub(crate) fn i32(&mut self, value: i32) {
+    pub(crate) fn i16(&mut self, value: i16) {
         self.bytes(&value.to_le_bytes());
     }
 
@@ -117,8 +117,8 @@ impl<'b> Reader<'b> {
         self.array().map(u32::from_le_bytes)
     }
 
-    pub(crate) fn i32(&mut self) -> Result<i32, Error> {
-        self.array().map(i32::from_le_bytes)
+    pub(crate) fn i16(&mut self) -> Result<i16, Error> {
+        self.array().map(i16::from_le_bytes)
     }
 
     pub(crate) fn u64(&mut self) -> Result<u64, Error> {

@@ -190,9 +190,81 @@ static void region_over_the_state(void)
     EXPECT_TRUE(inside == 1);
 }
 
+/* A log of tries that nobody asked for. */
+static void passive(void)
+{
+    critreg_learner *learner = learner_for(1, 0, 0.0);
+    const critreg_region *region = NULL;
+    critreg_report report;
+    critreg_outcome outcome;
+    double theta;
+    size_t tried, instance;
+    int32_t inside;
+    const double samples[] = {0.85, 0.95}, wall[] = {1.0, 0.0};
+
+    for (tried = 0; tried < 200; tried++) {
+        instance = tried % INSTANCES;
+        theta = 0.01 * (double)(tried * 37 % 100);
+        outcome = theta <= WALLS[2 * instance] - 0.1;
+        OK(critreg_observe(learner, WALLS, INSTANCES, instance, &theta, outcome));
+    }
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_observe(learner, WALLS, INSTANCES, INSTANCES, &theta, CRITREG_FEASIBLE));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_observe(learner, WALLS, INSTANCES, 0, &theta, CRITREG_NO_OUTCOME));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_observe(learner, WALLS, INSTANCES, 0, NULL, CRITREG_FEASIBLE));
+    theta = NAN;
+    EXPECT(CRITREG_NOT_FINITE,
+           critreg_observe(learner, WALLS, INSTANCES, 0, &theta, CRITREG_FEASIBLE));
+    OK(critreg_conclude(learner, WALLS, INSTANCES));
+    OK(critreg_report_init(&report, sizeof report));
+    OK(critreg_learner_report(learner, &report));
+    EXPECT_TRUE(report.calls == 0 && report.observed == 200);
+    OK(critreg_learner_region(learner, &region));
+    for (tried = 0; tried < 2; tried++) {
+        OK(critreg_region_contains(region, wall, &samples[tried], &inside));
+        EXPECT_TRUE(inside == (tried == 0));
+    }
+}
+
+/* A run whose machine stopped while the last record was written. */
+static void journal(void)
+{
+    critreg_learner *learner = learner_for(1, 20, 0.0);
+    static uint8_t bytes[20 * 42];
+    critreg_report report;
+    critreg_outcome outcome;
+    size_t written, instance, needed, len = 0, stands = 0;
+    double theta;
+
+    for (written = 0; written < 10; written++) {
+        OK(critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
+        outcome = theta <= WALLS[2 * instance] - 0.1;
+        OK(critreg_tell(learner, WALLS, INSTANCES, outcome));
+        OK(critreg_learner_journal(learner, WALLS, INSTANCES, written, bytes + len,
+                                   sizeof bytes - len, &needed));
+        EXPECT_TRUE(needed == 42);
+        len += needed;
+    }
+    EXPECT(CRITREG_TOO_SMALL,
+           critreg_learner_journal(learner, WALLS, INSTANCES, 0, bytes, len - 1, &needed));
+    EXPECT_TRUE(needed == len);
+    EXPECT(CRITREG_OUT_OF_SEQUENCE,
+           critreg_learner_resume_journal(learner, WALLS, INSTANCES, bytes, len, &stands));
+    learner = learner_for(1, 40, 0.0);
+    OK(critreg_learner_resume_journal(learner, WALLS, INSTANCES, bytes, len - 5, &stands));
+    EXPECT_TRUE(stands == len - 42);
+    OK(critreg_report_init(&report, sizeof report));
+    OK(critreg_learner_report(learner, &report));
+    EXPECT_TRUE(report.calls == 9);
+}
+
 int main(void)
 {
     chain();
+    passive();
+    journal();
     noise();
     certificate();
     no_region();

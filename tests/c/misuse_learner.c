@@ -10,7 +10,7 @@ static void no_handle(critreg_learner *learner, critreg_status expected)
     const critreg_region *region;
     critreg_report report;
     size_t instance, number, needed;
-    double theta;
+    double theta = 0.0;
     int32_t finished;
     uint8_t bytes[64];
     char text[64];
@@ -19,6 +19,9 @@ static void no_handle(critreg_learner *learner, critreg_status expected)
     EXPECT(expected, critreg_learn_region(learner, WALLS, INSTANCES, reach, NULL, &region));
     EXPECT(expected, critreg_ask(learner, WALLS, INSTANCES, &instance, &theta));
     EXPECT(expected, critreg_tell(learner, WALLS, INSTANCES, CRITREG_FEASIBLE));
+    EXPECT(expected,
+           critreg_observe(learner, WALLS, INSTANCES, 0, &theta, CRITREG_FEASIBLE));
+    EXPECT(expected, critreg_conclude(learner, WALLS, INSTANCES));
     EXPECT(expected, critreg_is_finished(learner, &finished));
     EXPECT(expected, critreg_learner_region(learner, &region));
     EXPECT(expected, critreg_learner_report(learner, &report));
@@ -27,6 +30,9 @@ static void no_handle(critreg_learner *learner, critreg_status expected)
     EXPECT(expected, critreg_learner_parameter_count(learner, &number));
     EXPECT(expected, critreg_learner_save(learner, WALLS, INSTANCES, bytes, 64, &needed));
     EXPECT(expected, critreg_learner_resume(learner, WALLS, INSTANCES, bytes, 64));
+    EXPECT(expected, critreg_learner_journal(learner, WALLS, INSTANCES, 0, bytes, 64, &needed));
+    EXPECT(expected,
+           critreg_learner_resume_journal(learner, WALLS, INSTANCES, bytes, 64, &needed));
 }
 
 static void wrong_handles(void)

@@ -82,6 +82,7 @@ def _load():
         "critreg_is_finished": [pointer, pointer],
         "critreg_ask": [pointer, pointer, size, pointer, pointer],
         "critreg_tell": [pointer, pointer, size, ctypes.c_int32],
+        "critreg_observe": [pointer, pointer, size, size, pointer, ctypes.c_int32],
         "critreg_learner_region": [pointer, pointer],
         "critreg_region_format": [pointer, pointer, size, pointer],
         "critreg_region_contains": [pointer, pointer, pointer, pointer],
@@ -184,6 +185,13 @@ class Learner:
     def tell(self, outcome):
         """What came of the sample that was asked for: FEASIBLE, INFEASIBLE, or -k if step k failed."""
         self._check(_library.critreg_tell(self._handle, self._instances, self._count, outcome))
+
+    def observe(self, index, theta, outcome):
+        """What came of a sample that was not asked for."""
+        status = _library.critreg_observe(
+            self._handle, self._instances, self._count, index, numbers(theta), outcome
+        )
+        self._check(status)
 
     def region(self):
         """What is learned so far, or None. It is valid until the next answer is told."""

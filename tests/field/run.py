@@ -123,8 +123,6 @@ def print_block(scenario, trials):
         example, seeds = most_frequent([t.region for t in learned])
         print(f"most_frequent_region: {example}")
         print(f"most_frequent_region_seeds: {seeds}/{count}")
-    if scenario.demonstrations:
-        print(f"demonstrations_untold: {scenario.demonstrations}")
     errors = [t.error for t in trials if t.error]
     if errors:
         print(f"broken_off: {len(errors)}/{count} {errors[0]}")

@@ -98,6 +98,8 @@ def learn_and_judge(scenario, seed, options, trial):
     def answer(index, theta):
         return outcome(scenario, instances[index], theta, rng)
 
+    for index, instance in enumerate(instances[: scenario.demonstrations]):
+        learner.observe(index, scenario.demonstrate(instance), critreg.FEASIBLE)
     region, text, exact_since = None, None, None
     while not learner.is_finished():
         trial.milliseconds.append(ask_and_tell(learner, answer))

@@ -5,13 +5,19 @@
 //! | 4 | `CRLG` |
 //! | 2 | version |
 //! | 4 | fingerprint of the problem |
+//! | 4 | number of its instances |
 //! | 4 | fingerprint of the learner |
 //! | 2 | number of parameters n |
+//! | 2 | what the learner did since the last observation |
 //! | 4 | number of observations |
-//! | 8 + 8 n each | instance, outcome ([`Outcome::code`]), parameters |
+//! | 4 | number of questions that are open |
+//! | 8 + 8 n each | an observation, then an open question: instance (4), outcome (2, [`Outcome::code`]), whether it was asked (1), what the learner did before (1), parameters |
 //! | 4 | CRC-32 of all before |
+//!
+//! What a learner did follows from the observations and the notes beside them, so nothing is
+//! asked again to resume it.
 
-use super::problem::Problem;
+use super::problem::{Begun, Problem};
 use super::{Learner, Outcome, Query};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
@@ -20,8 +26,8 @@ use crate::table::Blank;
 use crate::wire::{FRAME, Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRLG";
-const VERSION: u16 = 2;
-const HEADER: usize = 4 + 4 + 2 + 4;
+const VERSION: u16 = 3;
+const HEADER: usize = 4 + 4 + 4 + 2 + 2 + 4 + 4;
 
 /// A sample that was tried and what came of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +36,10 @@ pub struct Observation {
     pub instance: u32,
     /// What came of it.
     pub outcome: Outcome,
+    /// Whether the learner asked for it.
+    pub asked: bool,
+    /// What it was asked for and what the learner did before, as the learner notes it.
+    pub(super) notes: u8,
     /// The parameters of the action.
     pub theta: Theta,
 }
@@ -38,12 +48,14 @@ impl Blank for Observation {
     const BLANK: Self = Observation {
         instance: 0,
         outcome: Outcome::Unknown,
+        asked: true,
+        notes: 0,
         theta: [0.0; MAX_PARAMETERS],
     };
 }
 
 impl Observation {
-    /// What came of a query.
+    /// What came of a query that was asked.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] if the failed step is zero.
@@ -56,15 +68,59 @@ impl Observation {
         Ok(Observation {
             instance,
             outcome,
+            asked: true,
+            notes: 0,
             theta: query.theta,
+        })
+    }
+
+    /// The sample.
+    pub fn query(&self) -> Query {
+        Query {
+            instance: self.instance as usize,
+            theta: self.theta,
+        }
+    }
+
+    /// How many bytes it takes to write one.
+    pub(super) fn saved_len(problem: &Problem<'_>) -> usize {
+        8 + 8 * problem.domain().parameters().len()
+    }
+
+    pub(super) fn write(&self, writer: &mut Writer<'_>, problem: &Problem<'_>) {
+        writer.u32(self.instance);
+        // From -255 to 2.
+        writer.i16(self.outcome.code() as i16);
+        writer.u16(u16::from(self.asked) | u16::from(self.notes) << 8);
+        for (value, _) in self.theta.iter().zip(problem.domain().parameters()) {
+            writer.f64(*value);
+        }
+    }
+
+    pub(super) fn read(reader: &mut Reader<'_>, problem: &Problem<'_>) -> Result<Self, Error> {
+        let instance = reader.u32()?;
+        let outcome = Outcome::from_code(reader.i16()?.into())
+            .map_err(|_| Error::Corrupt("a saved outcome is none"))?;
+        let [asked, notes] = reader.u16()?.to_le_bytes();
+        let mut theta = [0.0; MAX_PARAMETERS];
+        for (value, _) in theta.iter_mut().zip(problem.domain().parameters()) {
+            *value = reader.f64()?;
+        }
+        Ok(Observation {
+            instance,
+            outcome,
+            asked: asked != 0,
+            notes,
+            theta,
         })
     }
 }
 
 /// How many bytes [`save`] needs for a learner in its present state.
 pub fn saved_len(learner: &(impl Learner + ?Sized), problem: &Problem<'_>) -> usize {
-    let each = 8 + 8 * problem.domain().parameters().len();
-    FRAME + HEADER + each * learner.observations().len()
+    let each = Observation::saved_len(problem);
+    let open = usize::from(learner.open().is_some());
+    FRAME + HEADER + each * (learner.observations().len() + open)
 }
 
 /// Writes what a learner was told into `bytes` and returns how many were used.
@@ -80,22 +136,24 @@ pub fn save(
     let observations = learner.observations();
     let parameters = problem.domain().parameters().len();
     let mut writer = Writer::new(bytes, MAGIC, VERSION);
-    writer.u32(problem.fingerprint());
+    let Begun { fingerprint, count } = problem.begun();
+    writer.u32(fingerprint);
+    writer.u32(count);
     writer.u32(learner.fingerprint());
     writer.u16(u16::try_from(parameters).map_err(|_| TOO_MANY)?);
+    writer.u16(learner.notes().into());
     writer.u32(u32::try_from(observations.len()).map_err(|_| TOO_MANY)?);
-    for observation in observations {
-        writer.u32(observation.instance);
-        writer.i32(observation.outcome.code());
-        for value in observation.theta.iter().take(parameters) {
-            writer.f64(*value);
-        }
+    let open = learner.open();
+    writer.u32(open.is_some().into());
+    for observation in observations.iter().chain(&open) {
+        observation.write(&mut writer, problem);
     }
     writer.finish("bytes for a saved learner")
 }
 
-/// Brings a fresh learner to the state that [`save`] wrote, by asking it the same
-/// questions and telling it the same answers.
+/// Brings a fresh learner to the state that [`save`] wrote, by telling it the same answers.
+/// It may have more calls and more room than the saved one had, and more instances behind
+/// those of the saved run.
 ///
 /// # Errors
 /// [`Error::Corrupt`] for damaged bytes, [`Error::Mismatch`] if they were saved
@@ -107,55 +165,57 @@ pub fn resume<L: Learner + ?Sized>(
     problem: &Problem<'_>,
     bytes: &[u8],
 ) -> Result<(), Error> {
-    if !learner.observations().is_empty() {
-        return Err(Error::OutOfSequence(
-            "resume before the first answer is told",
-        ));
-    }
+    check_fresh(learner)?;
     let mut reader = Reader::new(bytes, MAGIC, VERSION)?;
-    if reader.u32()? != problem.fingerprint() {
-        return Err(Error::Mismatch(
-            "saved for another domain or other instances",
-        ));
-    }
+    Begun::check(&mut reader, problem)?;
     if reader.u32()? != learner.fingerprint() {
         return Err(Error::Mismatch(
             "saved with another configuration or capacity",
         ));
     }
-    let parameters = reader.u16()?;
+    if usize::from(reader.u16()?) != problem.domain().parameters().len() {
+        return Err(Error::Corrupt("the saved samples have other parameters"));
+    }
+    let [notes, _] = reader.u16()?.to_le_bytes();
     let count = reader.u32()?;
+    let open = reader.u32()?;
     if usize::try_from(count).map_or(true, |count| count > learner.room()) {
         return Err(Error::CapacityExceeded("observations"));
     }
     for _ in 0..count {
-        let instance = reader.u32()?;
-        let outcome = Outcome::from_code(reader.i32()?)
-            .map_err(|_| Error::Corrupt("a saved outcome is none"))?;
-        let mut theta = [0.0; MAX_PARAMETERS];
-        for value in theta.iter_mut().take(usize::from(parameters)) {
-            *value = reader.f64()?;
-        }
-        let saved = Observation {
-            instance,
-            outcome,
-            theta,
-        };
-        replay(learner, problem, &saved)?;
+        let saved = Observation::read(&mut reader, problem)?;
+        learner.replay(problem, &saved)?;
     }
+    let open = match open {
+        0 => None,
+        _ => Some(Observation::read(&mut reader, problem)?),
+    };
+    learner.reopen(problem, notes, open.as_ref())?;
     reader.finish()
 }
 
-fn replay(
-    learner: &mut (impl Learner + ?Sized),
-    problem: &Problem<'_>,
-    saved: &Observation,
-) -> Result<(), Error> {
-    let query = learner.ask(problem)?;
-    if Observation::new(&query, saved.outcome)? != *saved {
-        return Err(Error::Mismatch(
-            "the saved samples are not those of this learner",
-        ));
+/// Checks that nothing was asked or told yet.
+pub(super) fn check_fresh(learner: &(impl Learner + ?Sized)) -> Result<(), Error> {
+    match learner.observations().is_empty() && learner.open().is_none() {
+        true => Ok(()),
+        false => Err(Error::OutOfSequence(
+            "resume before anything is asked or told",
+        )),
     }
-    learner.tell(problem, saved.outcome)
+}
+
+impl Begun {
+    /// Reads the problem that something was saved for, and checks that it goes on with this.
+    pub(super) fn check(reader: &mut Reader<'_>, problem: &Problem<'_>) -> Result<(), Error> {
+        let begun = Begun {
+            fingerprint: reader.u32()?,
+            count: reader.u32()?,
+        };
+        match problem.continues(begun) {
+            true => Ok(()),
+            false => Err(Error::Mismatch(
+                "saved for another domain or other instances",
+            )),
+        }
+    }
 }

@@ -19,8 +19,8 @@
 //! | word | meaning |
 //! |---|---|
 //! | query | a sample to try: parameters in an instance |
-//! | outcome | what came of it; a *call* is an outcome that was told |
-//! | observation | a query and its outcome, as they are kept |
+//! | outcome | what came of it; a *call* is an outcome that was asked for |
+//! | observation | a query and its outcome, as they are kept; also of what nobody asked |
 //! | sample | a query whose label is decided: feasible or not |
 //! | form | the difference of two features, which a bound limits |
 //! | hypothesis | a conjunction of bounds; in Algorithm 1 a single comparison |
@@ -60,6 +60,7 @@
 //! ```
 
 pub mod algorithm1;
+mod journal;
 mod log;
 mod outcome;
 mod problem;
@@ -67,6 +68,7 @@ mod tables;
 pub mod version_space;
 
 pub use algorithm1::Algorithm1;
+pub use journal::{journal, journal_len, resume_journal};
 pub use log::{Observation, resume, save, saved_len};
 pub use outcome::Outcome;
 pub use problem::Problem;
@@ -84,7 +86,8 @@ pub struct Query {
     pub theta: Theta,
 }
 
-/// The interface that all learners share.
+/// The interface that all learners share. The problem is the same in all calls; only
+/// instances may be appended, which [`Algorithm1`] refuses.
 pub trait Learner {
     /// The sample to try next. Asking again before the answer is told gives the
     /// same sample.
@@ -103,6 +106,55 @@ pub trait Learner {
     /// nothing was told, and the query still waits for its answer.
     fn tell(&mut self, problem: &Problem<'_>, outcome: Outcome) -> Result<(), Error>;
 
+    /// Takes what came of a sample that was not asked for: from a log, a demonstration,
+    /// somebody else's trials. It costs no call, and a question that is open stays open.
+    ///
+    /// # Errors
+    /// Those of [`Learner::tell`], but for the sequence; [`Error::NotFinite`] or
+    /// [`Error::InvalidArgument`] for a sample that is none; [`Error::InvalidArgument`] if the
+    /// learner only learns from what it asks. Then nothing was told.
+    fn observe(
+        &mut self,
+        problem: &Problem<'_>,
+        query: &Query,
+        outcome: Outcome,
+    ) -> Result<(), Error>;
+
+    /// Brings the region up to date with all that was told. It agrees with that anyway as far
+    /// as it can, but a better one is looked for when the learner asks, or now and then while
+    /// observations come in.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if the problem is not the one learning began with.
+    fn conclude(&mut self, problem: &Problem<'_>) -> Result<(), Error>;
+
+    /// The question that is open, with an unknown outcome.
+    #[doc(hidden)]
+    fn open(&self) -> Option<Observation>;
+
+    /// What was done since the last observation, for [`Learner::reopen`].
+    #[doc(hidden)]
+    fn notes(&self) -> u8;
+
+    /// Does what led to a saved observation, and takes it.
+    ///
+    /// # Errors
+    /// Those of [`Learner::tell`]; [`Error::Mismatch`] if it is none of this learner.
+    #[doc(hidden)]
+    fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error>;
+
+    /// Does what was done after the last observation, and opens the question that was open.
+    ///
+    /// # Errors
+    /// Those of [`Learner::ask`].
+    #[doc(hidden)]
+    fn reopen(
+        &mut self,
+        problem: &Problem<'_>,
+        notes: u8,
+        open: Option<&Observation>,
+    ) -> Result<(), Error>;
+
     /// Whether there is nothing more to ask.
     fn is_finished(&self) -> bool;
 
@@ -112,7 +164,7 @@ pub trait Learner {
     /// [`Error::NoRegion`] if no constraint explains the observations.
     fn region(&self) -> Result<&Region, Error>;
 
-    /// All that was asked and told, in order.
+    /// All that was told, in order.
     fn observations(&self) -> &[Observation];
 
     /// How many observations there is room for.

@@ -34,18 +34,14 @@ impl<'p> Problem<'p> {
         instances
             .chunks_exact(domain.instance_len().max(1))
             .try_for_each(|instance| domain.check_instance(instance))?;
-        let mut digest = CHECKSUM.digest();
-        digest.update(&domain.fingerprint().to_le_bytes());
-        for value in instances {
-            digest.update(&value.to_bits().to_le_bytes());
-        }
-        Ok(Problem {
+        let problem = Problem {
             domain,
             instances,
             count,
             proposals: &[],
-            fingerprint: digest.finalize(),
-        })
+            fingerprint: 0,
+        };
+        Ok(problem.sealed())
     }
 
     /// The same problem, with parameters for each instance that are worth a look: those
@@ -61,21 +57,13 @@ impl<'p> Problem<'p> {
                 "there is one proposal for each instance",
             ));
         }
-        let mut digest = CHECKSUM.digest();
-        digest.update(&self.fingerprint.to_le_bytes());
         let own = self.domain.parameters().len();
         for proposal in proposals {
             let values = proposal.get(..own).unwrap_or_default();
             self.domain.check_parameters(values)?;
-            for value in values {
-                digest.update(&value.to_bits().to_le_bytes());
-            }
         }
-        Ok(Problem {
-            proposals,
-            fingerprint: digest.finalize(),
-            ..self
-        })
+        let problem = Problem { proposals, ..self };
+        Ok(problem.sealed())
     }
 
     /// What is worth a look in an instance, if that was said.
@@ -113,15 +101,66 @@ impl<'p> Problem<'p> {
         self.fingerprint
     }
 
-    /// Checks that a learner that began with the problem of a fingerprint goes on
-    /// with the same.
-    pub(super) fn check_begun(&self, begun: Option<u32>) -> Result<(), Error> {
-        if begun == Some(self.fingerprint) {
-            Ok(())
-        } else {
-            Err(Error::Mismatch(
-                "the domain or the instances changed while learning",
-            ))
+    /// The same with its fingerprint.
+    fn sealed(self) -> Self {
+        let fingerprint = self.fingerprint_of(self.count);
+        Problem {
+            fingerprint,
+            ..self
         }
     }
+
+    /// The fingerprint that the problem of the first so many instances has.
+    fn fingerprint_of(&self, count: usize) -> u32 {
+        let mut digest = CHECKSUM.digest();
+        digest.update(&self.domain.fingerprint().to_le_bytes());
+        let numbers = self.domain.instance_len().saturating_mul(count);
+        for value in self.instances.iter().take(numbers) {
+            digest.update(&value.to_bits().to_le_bytes());
+        }
+        let own = self.domain.parameters().len();
+        for proposal in self.proposals.iter().take(count) {
+            for value in proposal.iter().take(own) {
+                digest.update(&value.to_bits().to_le_bytes());
+            }
+        }
+        digest.finalize()
+    }
+
+    /// What a learner remembers of the problem that it knows.
+    pub(super) fn begun(&self) -> Begun {
+        Begun {
+            fingerprint: self.fingerprint,
+            count: u32::try_from(self.count).unwrap_or(u32::MAX),
+        }
+    }
+
+    /// Whether it is a problem that a learner knows, or that with more instances behind.
+    pub(super) fn continues(&self, begun: Begun) -> bool {
+        let count = begun.count as usize;
+        match count == self.count {
+            true => begun.fingerprint == self.fingerprint,
+            false => count < self.count && begun.fingerprint == self.fingerprint_of(count),
+        }
+    }
+
+    /// Checks that a learner that began with a problem goes on with the same.
+    pub(super) fn check_begun(&self, begun: Option<Begun>) -> Result<(), Error> {
+        match begun == Some(self.begun()) {
+            true => Ok(()),
+            false => Err(CHANGED),
+        }
+    }
+}
+
+/// What is wrong with a problem that a learner cannot go on with.
+pub(super) const CHANGED: Error =
+    Error::Mismatch("the domain or the instances changed while learning");
+
+/// The problem that a learner knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Begun {
+    pub(super) fingerprint: u32,
+    /// How many instances it has.
+    pub(super) count: u32,
 }

@@ -78,7 +78,7 @@ pub struct critreg_config {
     /// Samples to have room for. When they are used up, telling returns
     /// CRITREG_CAPACITY_EXCEEDED. CRITREG_VERSION_SPACE takes at most
     /// CRITREG_MAX_OBSERVATIONS. Default 0: CRITREG_DEFAULT_OBSERVATIONS, or
-    /// calls + 2 if that is more.
+    /// calls + 2 if that is more; with critreg_observe() say how many it takes in all.
     pub observations: u32,
     /// Outcomes that CRITREG_VERSION_SPACE asks for in all; samples that
     /// CRITREG_ALGORITHM1 draws itself (K of the thesis), beside its manual ones.

@@ -35,8 +35,8 @@ pub unsafe extern "C" fn critreg_is_finished(
 ///
 /// @param learner The learner.
 /// @param region Receives the region. It belongs to the learner and is valid until
-/// the next call of critreg_learn_region(), critreg_tell() or
-/// critreg_learner_resume() on it; after that using it gives
+/// the next call of critreg_learn_region(), critreg_tell(), critreg_observe(),
+/// critreg_conclude(), critreg_learner_resume() or critreg_learner_resume_journal() on it; after that using it gives
 /// CRITREG_NOT_A_HANDLE. To keep it, save it and load it into memory of its own;
 /// what supports its constraints is not saved.
 /// @return CRITREG_NO_REGION if there is none, see critreg_learner_why();

@@ -3,11 +3,12 @@
 use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::status::{Failure, Fallible, critreg_status, stop_unless_ok};
 use crate::learner::handle::{Inner, critreg_learner, problem, with_learner};
-use crate::learner::outcome::{CRITREG_NO_OUTCOME, critreg_outcome};
+use crate::learner::outcome::{self, CRITREG_NO_OUTCOME, critreg_outcome};
 use crate::learner::quality::CRITREG_APPROXIMATE;
 use crate::region::handle::critreg_region;
 use core::ffi::c_void;
 use critreg_core::learn::Query;
+use critreg_core::region::Theta;
 
 /// Whatever can tell whether an action works: a simulator, a motion planner, a
 /// robot.
@@ -54,8 +55,8 @@ pub type critreg_simulate = Option<
 ///
 /// @param learner The learner.
 /// @param instances The problem instances, one behind the other: count times one
-/// number per attribute. They must be the same in all calls until learning is
-/// finished.
+/// number per attribute. They must be the same in all calls; others may be appended,
+/// as far as there is room for them: what was told is then taken in again.
 /// @param count How many instances there are, at least one.
 /// @param simulate Tries a sample.
 /// @param user_data Passed to simulate.
@@ -163,6 +164,86 @@ pub unsafe extern "C" fn critreg_ask(
             index.write(instance);
             parameters.write(&theta);
             Ok(())
+        })
+    }
+}
+
+/// Tells the learner what came of a sample that it did not ask for: of a log, a
+/// demonstration, somebody else's trials. It costs no call, works before anything is asked
+/// and between critreg_ask() and critreg_tell() (the sample that was asked for stays to be
+/// told), and is saved with the run. Where few parameters work, one sample that works says
+/// where to look: also for a slot of a ten thousandth of the range.
+///
+/// ```c
+/// for (size_t i = 0; i < logged; ++i)
+///     CHECK(critreg_observe(learner, instances, count, log[i].instance, log[i].theta,
+///                           log[i].worked));
+/// CHECK(critreg_conclude(learner, instances, count));
+/// ```
+///
+/// With noise, what was asked for is asked again until its outcome is beyond doubt; what was
+/// not is taken at its word, and wrong outcomes make the region an approximate one.
+///
+/// @param learner The learner; CRITREG_VERSION_SPACE.
+/// @param instances The problem instances, as for critreg_ask().
+/// @param count How many there are.
+/// @param instance The index of the instance that it was tried in.
+/// @param theta The parameters: one number each. NULL if there are none.
+/// @param outcome What came of it.
+/// @return CRITREG_CAPACITY_EXCEEDED if there is no room for another observation
+/// (critreg_config.observations; those of the calls take some, too);
+/// CRITREG_INVALID_ARGUMENT for an instance or outcome that is none, a step that the
+/// configuration does not have, or CRITREG_ALGORITHM1; CRITREG_NOT_FINITE for a parameter;
+/// and as critreg_ask() where that is not finished. Then nothing was told.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_observe(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+    instance: usize,
+    theta: *const f64,
+    outcome: critreg_outcome,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let given = pointer::slice(theta, handle.domain.parameters().len(), "theta")?;
+            let mut theta = Theta::default();
+            for (value, given) in theta.iter_mut().zip(given) {
+                *value = *given;
+            }
+            let outcome = outcome::read(outcome, inner.steps)?;
+            let problem = problem(handle, instances, count)?;
+            let query = Query { instance, theta };
+            inner.learner.observe(&problem, &query, outcome)?;
+            inner.retire_region();
+            Ok(())
+        })
+    }
+}
+
+/// Brings the region up to date with everything that was told. The region agrees with that
+/// anyway as far as it can; but a better one is only looked for when the learner asks, at
+/// the end, and now and then while critreg_observe() is called. A program that only
+/// observes calls it before it asks for the region. What is asked next may be something
+/// else than without it.
+///
+/// @param learner The learner.
+/// @param instances The problem instances, as for critreg_ask().
+/// @param count How many there are.
+/// @return As critreg_ask(), where that is not finished.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_conclude(
+    learner: *mut critreg_learner,
+    instances: *const f64,
+    count: usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        with_learner(learner, |handle, inner| {
+            let problem = problem(handle, instances, count)?;
+            inner.retire_region();
+            Ok(inner.learner.conclude(&problem)?)
         })
     }
 }

@@ -40,7 +40,7 @@ pub struct critreg_report {
     pub after_positive: u64,
     /// Hypotheses left now.
     pub remaining: u64,
-    /// Outcomes told: calls of the simulator.
+    /// Outcomes told of what was asked: calls of the simulator.
     pub calls: u64,
     /// Samples that were feasible. With noise a sample takes several calls, so
     /// that feasible and infeasible ones are fewer than the calls.
@@ -72,6 +72,8 @@ pub struct critreg_report {
     pub recall_low: f64,
     /// See recall_low.
     pub recall_high: f64,
+    /// Outcomes told of what was not asked, see critreg_observe().
+    pub observed: u64,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -101,6 +103,7 @@ const EMPTY: critreg_report = critreg_report {
     precision_high: f64::NAN,
     recall_low: f64::NAN,
     recall_high: f64::NAN,
+    observed: 0,
 };
 
 /// Called by critreg_learn_region() after every sample.
@@ -156,6 +159,7 @@ impl critreg_report {
             left_out: report.forms_left_out as u64,
             remaining: report.forms as u64,
             calls: report.calls as u64,
+            observed: report.observed as u64,
             feasible: report.feasible as u64,
             infeasible: report.infeasible as u64,
             unknown: report.unknown as u64,

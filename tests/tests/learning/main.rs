@@ -2,7 +2,9 @@
 
 mod actions;
 mod bodies;
+mod growing;
 mod learners;
 mod membership;
+mod observing;
 mod proposals;
 mod version_space;

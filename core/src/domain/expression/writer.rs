@@ -95,7 +95,8 @@ impl Domain<'_> {
                 self.write_quantity(out, Quantity::Distance(Metric::Straight, a, b))?;
                 out.write_str(" - ")?;
                 if share != Share::Whole {
-                    write!(out, "{}*", share.factor())?;
+                    write_number(out, share.factor())?;
+                    out.write_char('*')?;
                 }
                 self.write_quantity(out, Quantity::Attribute(slot))
             }

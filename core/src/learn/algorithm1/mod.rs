@@ -43,7 +43,7 @@ pub use bounds::Bounds;
 pub use config::{Capacity, Config, Memory, Report};
 
 use super::log::Observation;
-use super::problem::Problem;
+use super::problem::{Begun, Problem};
 use super::{Learner, Outcome, Query};
 use crate::domain::{Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene};
 use crate::error::Error;
@@ -113,7 +113,7 @@ pub struct Algorithm1<'m, R> {
     rng: Generator,
     phase: Phase,
     pending: Option<Query>,
-    problem: Option<u32>,
+    problem: Option<Begun>,
     points: PointSet,
     region: Region,
     report: Report,
@@ -289,7 +289,7 @@ impl<'m, R: Real> Algorithm1<'m, R> {
 
 impl<R: Real> Learner for Algorithm1<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
-        self.problem.get_or_insert(problem.fingerprint());
+        self.problem.get_or_insert(problem.begun());
         problem.check_begun(self.problem)?;
         if let Some(pending) = self.pending {
             return Ok(pending);
@@ -318,6 +318,38 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
             }
         }
         self.advance();
+        Ok(())
+    }
+
+    fn observe(&mut self, _: &Problem<'_>, _: &Query, _: Outcome) -> Result<(), Error> {
+        Err(Error::InvalidArgument(
+            "Algorithm 1 learns from the samples that it asks for only",
+        ))
+    }
+
+    fn conclude(&mut self, _: &Problem<'_>) -> Result<(), Error> {
+        Ok(())
+    }
+
+    fn open(&self) -> Option<Observation> {
+        Observation::new(self.pending.as_ref()?, Outcome::Unknown).ok()
+    }
+
+    fn notes(&self) -> u8 {
+        0
+    }
+
+    fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error> {
+        if self.ask(problem)? != saved.query() {
+            return Err(Error::Mismatch(
+                "the saved samples are not those of this learner",
+            ));
+        }
+        self.tell(problem, saved.outcome)
+    }
+
+    fn reopen(&mut self, _: &Problem<'_>, _: u8, _: Option<&Observation>) -> Result<(), Error> {
+        // The question is the next one.
         Ok(())
     }
 

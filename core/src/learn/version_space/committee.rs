@@ -34,8 +34,14 @@ impl Votes {
 impl<'m, R: Real> Committee<'m, R> {
     /// A committee of hypotheses that admit everything.
     pub(super) fn new(hypotheses: &'m mut [Hypothesis<R>]) -> Self {
-        hypotheses.iter_mut().for_each(Hypothesis::clear);
-        Committee { hypotheses }
+        let mut committee = Committee { hypotheses };
+        committee.clear();
+        committee
+    }
+
+    /// Makes all admit everything.
+    pub(super) fn clear(&mut self) {
+        self.hypotheses.iter_mut().for_each(Hypothesis::clear);
     }
 
     /// The best hypothesis of each step.

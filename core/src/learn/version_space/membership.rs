@@ -57,7 +57,8 @@ impl<R: Real> VersionSpace<'_, R> {
     ///
     /// # Errors
     /// [`Error::OutOfSequence`] before the first query; [`Error::Mismatch`] for
-    /// another problem; [`Error::InvalidArgument`] for an instance that is none.
+    /// another problem, or one with instances that the learner does not know yet;
+    /// [`Error::InvalidArgument`] for an instance that is none.
     pub fn membership(&self, problem: &Problem<'_>, query: &Query) -> Result<Membership, Error> {
         if self.problem.is_none() {
             return Err(Error::OutOfSequence("ask for a sample first"));

@@ -67,6 +67,7 @@
 //! | `committee` | the hypotheses that are known, and their votes |
 //! | `selection` | repairing and selecting hypotheses |
 //! | `describe`, `name` | clauses in words of the domain |
+//! | `telling`, `growing` | taking answers in; instances that arrive |
 //! | `query/` | which sample to ask about, a file for each strategy |
 //! | `tuning` | all numbers that decide what is learned |
 
@@ -80,6 +81,7 @@ mod describe;
 mod disjunction;
 mod forms;
 mod greedy;
+mod growing;
 mod hypothesis;
 mod improve;
 mod membership;
@@ -89,6 +91,7 @@ mod quality;
 mod query;
 mod report;
 mod selection;
+mod telling;
 mod tuning;
 
 pub use certificate::Certificate;
@@ -102,11 +105,11 @@ pub use report::{Evidence, Report};
 pub use tuning::Tuning;
 
 use super::log::Observation;
-use super::problem::Problem;
+use super::problem::{Begun, Problem};
 use super::{Learner, Outcome, Query};
-use crate::domain::Domain;
+use crate::domain::{Domain, MAX_PARAMETERS};
 use crate::error::Error;
-use crate::random::{Generator, generator};
+use crate::random::{Generator, generator, mixed};
 use crate::real::Real;
 use crate::region::Region;
 use crate::table::Table;
@@ -114,30 +117,7 @@ use crate::wire::CHECKSUM;
 use committee::Committee;
 use forms::Forms;
 use selection::Selection;
-
-/// A query and what is known of its label.
-#[derive(Clone, Copy, Debug)]
-struct Pending {
-    query: Query,
-    /// How many more outcomes were feasible than infeasible.
-    lead: i32,
-    /// The step that failed last, from one.
-    failed_step: u8,
-    purpose: Purpose,
-}
-
-/// What a query is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Purpose {
-    /// To tell hypotheses apart.
-    Doubt,
-    /// It is drawn from the region, to certify it.
-    Certify,
-    /// It is drawn from the region, to learn what is wrong with it.
-    Draw,
-    /// It is drawn from everything.
-    Anywhere,
-}
+use telling::{Purpose, Since, Trial};
 
 /// The sound learner. See the [module](self).
 #[derive(Debug)]
@@ -157,8 +137,10 @@ pub struct VersionSpace<'m, R> {
     selection: Selection,
     observations: Table<'m, Observation>,
     rng: Generator,
-    pending: Option<Pending>,
-    problem: Option<u32>,
+    /// The question that is open.
+    pending: Option<Trial>,
+    since: Since,
+    problem: Option<Begun>,
     /// Instances that were not asked about, if there is nothing else to ask about.
     unasked: Option<u32>,
     /// How far one outcome must lead.
@@ -221,6 +203,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             committee: Committee::new(memory.hypotheses),
             selection: Selection::default(),
             pending: None,
+            since: Since::default(),
             problem: None,
             unasked: None,
             influence: false,
@@ -264,109 +247,21 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             && self.is_significant()
     }
 
-    /// Gets to know the instances, at the first query.
-    #[inline(never)]
-    fn begin(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
-        self.forms.lay_out(problem)?;
-        self.report.forms = self.forms.len();
-        self.report.forms_left_out = self.forms.left_out();
-        self.problem = Some(problem.fingerprint());
-        let count = u32::try_from(problem.count()).unwrap_or(u32::MAX);
-        self.unasked = problem.domain().parameters().is_empty().then_some(count);
-        Ok(())
+    /// Starts the random numbers of a step anew. They follow from what was told, not from
+    /// what was asked, so that a run is resumed without asking again.
+    fn reseed(&mut self, step: Step) {
+        let told = self.observations.len() as u64;
+        self.rng = generator(mixed(self.config.seed, 8 * told + step as u64));
     }
+}
 
-    /// Takes a sample whose label is decided; its left sides are in `lhs`.
-    fn learn(&mut self, domain: &Domain<'_>, pending: &Pending) {
-        let feasible = pending.lead > 0;
-        let certifies = pending.purpose == Purpose::Certify;
-        self.take_in(pending);
-        self.note_influence(&pending.query, feasible);
-        let moved = self.repair_best();
-        self.count(pending);
-        if self.approximating {
-            return;
-        }
-        match (certifies, feasible) {
-            (true, true) => {}
-            (false, _) if !moved => self.count_support(domain),
-            (true, false) => {
-                // Some of the calls that are left may find out what is wrong.
-                let again = f64::from(self.calls_left()) * self.config.tuning.certify_again;
-                (self.certifying, self.certify_from) = (false, again as u32);
-                self.rebuild_region(domain);
-            }
-            (false, _) => self.rebuild_region(domain),
-        }
-    }
-
-    /// Counts what samples that were drawn at random tell about the region.
-    fn count(&mut self, pending: &Pending) {
-        let feasible = pending.lead > 0;
-        if pending.purpose == Purpose::Anywhere && feasible {
-            let inside = self.shows(pending.query.instance);
-            self.report.found += 1;
-            self.report.inside += u32::from(inside);
-        }
-        let Certificate {
-            draws,
-            feasible: worked,
-            ..
-        } = self.report.certificate;
-        // As long as everything works, the region is everything.
-        let all = self.report.infeasible == 0 && pending.purpose == Purpose::Anywhere;
-        let certifies = u32::from(all || pending.purpose == Purpose::Certify);
-        let worked = worked + certifies * u32::from(feasible);
-        let confidence = self.config.confidence;
-        self.report.certificate = Certificate::new(draws + certifies, worked, confidence);
-    }
-
-    /// Whether the region has the sample in it whose left sides are in `lhs`.
-    fn shows(&self, instance: usize) -> bool {
-        let tuning = self.config.tuning;
-        let holds = |bound: &bound::Bound<R>| {
-            self.forms.value(&bound.form, instance, self.lhs) <= bound.threshold(tuning)
-        };
-        let mut clauses = self.shown_clauses();
-        clauses.all(|(_, clause)| clause.bounds().any(holds))
-    }
-
-    /// Tells the forms of a sample.
-    #[inline(never)]
-    fn take_in(&mut self, pending: &Pending) {
-        let Query { instance, .. } = pending.query;
-        let source = (instance, pending.purpose != Purpose::Doubt);
-        if pending.lead > 0 {
-            self.report.feasible += 1;
-            let steps = self.capacity.steps;
-            return self.forms.add(source, self.lhs, steps, None);
-        }
-        self.report.infeasible += 1;
-        let failed = usize::from(pending.failed_step.saturating_sub(1));
-        self.forms.add(source, self.lhs, failed, Some(failed));
-    }
-
-    fn note_influence(&mut self, query: &Query, feasible: bool) {
-        let differs = |o: &Observation| {
-            let elsewhere = o.instance as usize != query.instance;
-            let apart = if self.unasked.is_some() {
-                elsewhere
-            } else {
-                !elsewhere && o.theta != query.theta
-            };
-            apart && o.outcome.label() == Some(!feasible)
-        };
-        self.influence |= !self.influence && self.observations.as_slice().iter().any(differs);
-    }
-
-    fn check_step(&self, outcome: Outcome) -> Result<(), Error> {
-        match outcome {
-            Outcome::FailedStep(step) if usize::from(step) > self.capacity.steps => Err(
-                Error::InvalidArgument("the learner has room for fewer steps than this one"),
-            ),
-            _ => Ok(()),
-        }
-    }
+/// What random numbers are for, of each length of the log.
+#[derive(Clone, Copy)]
+enum Step {
+    Learn,
+    Prepare,
+    Conclude,
+    Ask,
 }
 
 /// Which share of the samples that a region admits must be feasible where it is chosen by
@@ -390,60 +285,92 @@ fn needed_lead(noise: f64, factor: f64) -> i32 {
 
 impl<R: Real> Learner for VersionSpace<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
-        if self.problem.is_none() {
-            self.begin(problem)?;
-        }
-        problem.check_begun(self.problem)?;
+        self.begin(problem)?;
         if self.pending.is_none() {
-            let before = (self.rng.clone(), self.certifying);
-            let chosen = self.next_query(problem);
-            if chosen.is_err() {
-                (self.rng, self.certifying) = before;
-            }
-            chosen?;
+            self.next_query(problem)?;
         }
         let pending = self.pending.as_ref().map(|pending| pending.query);
         pending.ok_or(Error::OutOfSequence("there is nothing to ask"))
     }
 
     fn tell(&mut self, problem: &Problem<'_>, outcome: Outcome) -> Result<(), Error> {
-        let Some(mut pending) = self.pending else {
+        let Some(pending) = self.pending else {
             return Err(Error::OutOfSequence("ask for a sample before telling"));
         };
-        problem.check_begun(self.problem)?;
-        self.check_step(outcome)?;
-        let observation = Observation::new(&pending.query, outcome)?;
-        self.forms
-            .evaluate_query(problem, &pending.query, self.lhs)?;
-        self.observations.push(observation)?;
-        // Nothing fails from here on: a call that fails changes nothing.
-        self.report.calls += 1;
-        match outcome {
-            Outcome::Feasible => pending.lead += 1,
-            Outcome::FailedStep(step) => {
-                pending.lead -= 1;
-                pending.failed_step = step;
-            }
-            Outcome::Unknown => self.report.unknown += 1,
+        self.begin(problem)?;
+        self.pending = self.take(problem, pending, outcome)?;
+        Ok(())
+    }
+
+    fn observe(
+        &mut self,
+        problem: &Problem<'_>,
+        query: &Query,
+        outcome: Outcome,
+    ) -> Result<(), Error> {
+        self.begin(problem)?;
+        let mut own = Query {
+            theta: [0.0; MAX_PARAMETERS],
+            ..*query
+        };
+        let parameters = problem.domain().parameters();
+        for ((to, from), _) in own.theta.iter_mut().zip(&query.theta).zip(parameters) {
+            *to = *from;
         }
-        let decided = pending.lead.abs() >= self.needed_lead;
-        if !decided && outcome != Outcome::Unknown {
-            self.pending = Some(pending);
+        let used = own.theta.get(..parameters.len()).unwrap_or_default();
+        problem.domain().check_parameters(used)?;
+        self.take(problem, Trial::new(own, Purpose::Told), outcome)?;
+        Ok(())
+    }
+
+    fn conclude(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
+        self.begin(problem)?;
+        if !self.is_finished() {
+            self.prepare(problem.domain());
+        }
+        if !self.selection.is_of(self.forms.samples()) {
+            self.select_again(problem.domain());
+        }
+        Ok(())
+    }
+
+    fn open(&self) -> Option<Observation> {
+        let pending = self.pending?;
+        Some(Observation {
+            notes: pending.purpose as u8,
+            ..Observation::new(&pending.query, Outcome::Unknown).ok()?
+        })
+    }
+
+    fn notes(&self) -> u8 {
+        self.since.notes()
+    }
+
+    fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error> {
+        self.begin(problem)?;
+        self.take_again(problem, saved)
+    }
+
+    fn reopen(
+        &mut self,
+        problem: &Problem<'_>,
+        notes: u8,
+        open: Option<&Observation>,
+    ) -> Result<(), Error> {
+        if notes == 0 && open.is_none() {
             return Ok(());
         }
-        self.pending = None;
-        self.unasked = self.unasked.map(|count| count.saturating_sub(1));
-        if decided {
-            self.learn(problem.domain(), &pending);
-        }
-        if self.is_finished() && !self.certifying {
-            self.reselect(problem.domain());
+        self.begin(problem)?;
+        self.redo(problem.domain(), notes);
+        if let Some(open) = open {
+            problem.instance(open.instance as usize)?;
+            self.pending = Some(self.trial_of(open)?);
         }
         Ok(())
     }
 
     fn is_finished(&self) -> bool {
-        self.calls_left() == 0
+        self.is_out_of_calls()
     }
 
     fn region(&self) -> Result<&Region, Error> {
@@ -475,9 +402,6 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         } = self.capacity;
         let sums = self.capacity.sums() as u64;
         for number in [self.config.seed, forms as u64, steps as u64, sums] {
-            digest.update(&number.to_le_bytes());
-        }
-        for number in [self.config.calls, self.config.certifying] {
             digest.update(&number.to_le_bytes());
         }
         for number in [

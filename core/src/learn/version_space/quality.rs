@@ -95,7 +95,9 @@ impl<R: Real> VersionSpace<'_, R> {
     /// What the region is worth.
     pub fn quality(&self) -> Quality {
         if self.report.infeasible == 0 {
-            let known = self.report.feasible as f64 >= self.config.tuning.significance;
+            // What was not asked was perhaps told because it works.
+            let worked = f64::from(self.report.certificate.feasible);
+            let known = worked >= self.config.tuning.significance;
             return if known { Quality::Exact } else { Quality::None };
         }
         if self.approximating {

@@ -10,11 +10,13 @@ pub struct Report {
     pub forms: usize,
     /// Forms that found no room.
     pub forms_left_out: usize,
-    /// Outcomes told.
+    /// Outcomes told of what was asked.
     pub calls: usize,
+    /// Outcomes told of what was not.
+    pub observed: usize,
     /// Feasible samples.
     pub feasible: usize,
-    /// Infeasible ones. With noise, each takes several calls.
+    /// Infeasible ones. With noise, each that was asked takes several calls.
     pub infeasible: usize,
     /// Samples put aside because their outcome is unknown.
     pub unknown: usize,

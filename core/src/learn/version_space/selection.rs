@@ -7,7 +7,7 @@ use super::forms::{Effort, Forms, StepView};
 use super::greedy::Randomisation;
 use super::hypothesis::Hypothesis;
 use super::improve::Objective;
-use super::{Certificate, Evidence, VersionSpace};
+use super::{Certificate, Evidence, Step, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::random::Generator;
@@ -25,7 +25,29 @@ pub(super) struct Selection {
     samples: usize,
 }
 
+impl Selection {
+    /// Whether the best hypotheses still hold, and were selected by so many samples.
+    pub(super) fn is_of(&self, samples: usize) -> bool {
+        self.current && self.samples == samples
+    }
+}
+
 impl<R: Real> VersionSpace<'_, R> {
+    /// Whether there are so many more samples than at the last selection that there may be
+    /// a better one, where nobody asks.
+    pub(super) fn has_grown(&self) -> bool {
+        let growth = self.config.tuning.observed_growth;
+        let samples = self.forms.samples() as f64;
+        samples >= growth * self.selection.samples as f64 && samples >= growth * growth
+    }
+
+    /// Selects the best hypotheses after an answer was told, and remembers that.
+    pub(super) fn select_again(&mut self, domain: &Domain<'_>) {
+        self.reseed(Step::Conclude);
+        self.since.concluded = true;
+        self.reselect(domain);
+    }
+
     /// Replaces the members of the committee that are no longer consistent, except for the
     /// best ones. They must agree with every answer: they are there to doubt, and one that
     /// could bend to an answer would ask for it again.

@@ -189,6 +189,9 @@ tuning! {
     disjunctions_beyond: f64 = 80.0,
     /// By how many bits the best hypotheses may grow before they are doubted.
     growth: f64 = 3.0,
+    /// How many times as many samples as at the last selection there are when one is made
+    /// while nobody asks: each looks at all samples.
+    observed_growth: f64 = 1.5,
     /// A new selection needs one new sample for so many old ones: where nothing explains the
     /// answers for long, selections would follow each other.
     patience: u32 = 8,
@@ -199,6 +202,9 @@ tuning! {
     query_candidates: u32 = 8,
     /// A gap between the ends of a bound is narrow below this share of the form's range.
     narrow: f64 = 0.002,
+    /// How many times the width of what works, or may work, counts as the range where that is
+    /// less.
+    narrow_slot: f64 = 4.0,
     /// Share of the questions that narrow a bound although the committee is not of one mind:
     /// it may never be about one bound, and then says nothing about the others.
     narrowing: f64 = 0.3,
@@ -209,6 +215,9 @@ tuning! {
     bisect_tries: u32 = 12,
     /// How often the distance to a proposal is halved at most.
     proposal_scales: u32 = 12,
+    /// The same for the distance to what was told to work although nobody asked, which is
+    /// known to be right.
+    observed_scales: u32 = 20,
     /// Instances in which a draw from the region is tried, to certify it.
     certify_draws: u32 = 8,
     /// Share of the calls that are left after a draw from the region failed that certify

@@ -190,15 +190,30 @@ impl<'m, R: Real> Forms<'m, R> {
         Ok(())
     }
 
-    /// Evaluates the right sides in all instances and lays out the forms.
+    /// Forgets all samples.
+    pub(super) fn forget(&mut self) {
+        self.intervals.fill(Interval::BLANK);
+        self.sample_sets.fill(0);
+        self.sums.slots.fill(Sum::BLANK);
+        self.values.samples.clear();
+    }
+
+    /// Whether there is room for the instances of a problem.
+    pub(super) fn check_room(&self, problem: &Problem<'_>) -> Result<(), Error> {
+        let needed = problem.count().checked_mul(self.values.rhs_count);
+        match needed.is_some_and(|n| n <= self.values.rhs.len()) {
+            true => Ok(()),
+            false => Err(Error::CapacityExceeded("problem instances")),
+        }
+    }
+
+    /// Evaluates the right sides in all instances and lays out the forms. There are no
+    /// samples.
     ///
     /// Right sides that do not vary, or vary as an earlier one does, would say
     /// nothing new: thresholds absorb the difference.
     pub(super) fn lay_out(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
-        let needed = problem.count().checked_mul(self.values.rhs_count);
-        if needed.is_none_or(|n| n > self.values.rhs.len()) {
-            return Err(Error::CapacityExceeded("problem instances"));
-        }
+        self.check_room(problem)?;
         self.rhs_features.clear();
         self.fill_rows(problem, &mut |values, row| {
             for (slot, value) in row.iter_mut().zip(values) {

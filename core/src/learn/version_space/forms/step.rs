@@ -34,6 +34,11 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
         values.fold(R::INFINITY, R::min)
     }
 
+    /// How far a form ranges over the feasible samples.
+    pub(in super::super) fn feasible_width(&self, form: &DirectedForm) -> R {
+        self.last_feasible(form) + self.last_feasible(&form.reversed())
+    }
+
     /// How far a form ranges over the samples.
     pub(in super::super) fn range(&self, form: &DirectedForm) -> R {
         let samples = self.feasible.iter().chain(self.infeasible.iter());

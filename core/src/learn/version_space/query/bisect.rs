@@ -7,12 +7,14 @@ use crate::error::Error;
 use crate::learn::Query;
 use crate::learn::version_space::bound::Bound;
 use crate::learn::version_space::clause::Clause;
+use crate::learn::version_space::forms::tolerance;
 use crate::random::{Generator, below};
 use crate::real::Real;
 use crate::region::Theta;
 
-/// How often the way to a value of a form is halved: to single precision.
-const HALVINGS: usize = 24;
+/// How often the way to a value of a form is halved: to a slot of a millionth of the range,
+/// in double precision.
+const HALVINGS: usize = 36;
 
 impl<R: Real> Strategy<'_, '_, R> {
     /// A sample in the middle of the widest gap that is wide, or of the next one if there is no
@@ -33,11 +35,19 @@ impl<R: Real> Strategy<'_, '_, R> {
         Ok(false)
     }
 
-    /// The bound with the widest gap below a width, relative to its range, and its clause.
+    /// The bound with the widest gap below a width, as a share of what it is measured by, and
+    /// its clause.
     fn widest_gap(&self, most: f64) -> Option<(f64, &Clause<R>, &Bound<R>)> {
-        let share = |b: &Bound<R>| ((b.outer - b.inner) / b.range).to_f64();
-        let shares = self.committee.best_bounds();
-        let shares = shares.map(|(clause, bound)| (share(bound), clause, bound));
+        let shares = self.bounds().map(|(clause, bound, width)| {
+            let gap = bound.outer - bound.inner;
+            // What is left is rounding.
+            let gap = if gap <= tolerance(bound.inner) {
+                R::ZERO
+            } else {
+                gap
+            };
+            ((gap / width).to_f64(), clause, bound)
+        });
         let finite = shares.filter(|(share, ..)| share.is_finite() && *share < most);
         finite.reduce(|widest, next| if next.0 > widest.0 { next } else { widest })
     }

@@ -1,5 +1,6 @@
 //! Draws from the region, to certify it.
 
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::version_space::{Purpose, VersionSpace};
 use crate::learn::{Problem, Query};
@@ -10,18 +11,12 @@ use crate::real::Real;
 const JUDGED: usize = 4;
 
 impl<R: Real> VersionSpace<'_, R> {
-    /// A draw from the region, after a selection if it is the first.
-    #[inline(never)]
-    pub(super) fn draw_to_certify(
-        &mut self,
-        problem: &Problem<'_>,
-        query: &mut Query,
-    ) -> Result<bool, Error> {
+    /// Selects the region that draws are to certify, before the first.
+    pub(super) fn prepare_to_certify(&mut self, domain: &Domain<'_>) {
         if !self.certifying {
             self.certifying = true;
-            self.reselect(problem.domain());
+            self.reselect(domain);
         }
-        self.draw(problem, query)
     }
 
     /// When so many calls are left, a region that is not exact is judged.
@@ -30,14 +25,9 @@ impl<R: Real> VersionSpace<'_, R> {
         (share as u32).max(self.config.certifying)
     }
 
-    /// A draw from a region that is not exact, or now and then from everything: they tell how
-    /// good it is. It is chosen anew if it turns out not to be as good as wanted.
-    #[inline(never)]
-    pub(super) fn judge(
-        &mut self,
-        problem: &Problem<'_>,
-        query: &mut Query,
-    ) -> Result<Purpose, Error> {
+    /// Selects the region that is judged, and another one if it turns out not to be as good
+    /// as wanted.
+    pub(super) fn prepare_to_judge(&mut self, domain: &Domain<'_>) {
         let upper = self.report.precision_at_most(self.config.confidence);
         let refuted = upper.is_some_and(|upper| upper < self.config.precision_wanted);
         if !self.certifying || refuted {
@@ -45,8 +35,17 @@ impl<R: Real> VersionSpace<'_, R> {
                 self.wanted += 0.5 * (1.0 - self.wanted);
             }
             self.certifying = true;
-            self.reselect(problem.domain());
+            self.reselect(domain);
         }
+    }
+
+    /// A draw from a region that is not exact, or now and then from everything: they tell how
+    /// good it is.
+    pub(super) fn judge(
+        &mut self,
+        problem: &Problem<'_>,
+        query: &mut Query,
+    ) -> Result<Purpose, Error> {
         let everywhere = self.observations.len().is_multiple_of(JUDGED);
         match !everywhere && self.draw(problem, query)? {
             true => Ok(Purpose::Certify),

@@ -79,8 +79,8 @@ impl<R: Real> Strategy<'_, '_, R> {
     #[inline(never)]
     fn is_resolved(&self, instance: usize, lhs: &[R]) -> bool {
         let narrow = R::from_f64(self.forms.tuning().narrow);
-        self.committee.best_bounds().any(|(_, bound)| {
-            let margin = bound.range * narrow;
+        self.bounds().any(|(_, bound, width)| {
+            let margin = width * narrow;
             let value = self.forms.value(&bound.form, instance, lhs);
             bound.outer - bound.inner <= margin
                 && value >= bound.inner - margin

@@ -20,13 +20,29 @@ mod disagree;
 mod explore;
 mod probe;
 
+use super::bound::Bound;
+use super::clause::Clause;
 use super::committee::Committee;
-use super::forms::Forms;
-use super::{Pending, Purpose, VersionSpace};
+use super::forms::{Forms, StepView, tolerance};
+use super::{Purpose, Step, Trial, VersionSpace};
+use crate::domain::Domain;
 use crate::error::Error;
-use crate::learn::{Learner, Observation, Problem, Query};
+use crate::learn::{Observation, Problem, Query};
 use crate::random::{Generator, uniform};
 use crate::real::Real;
+
+/// What questions are about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Phase {
+    /// It takes both a sample that works and one that does not.
+    Search,
+    /// What tells hypotheses apart, or looks for what nobody suspects.
+    Doubt,
+    /// How good a region is that is not exact.
+    Judge,
+    /// How good one is that is.
+    Certify,
+}
 
 /// What is known when a query is chosen.
 struct Strategy<'s, 'm, R> {
@@ -34,9 +50,31 @@ struct Strategy<'s, 'm, R> {
     forms: &'s Forms<'m, R>,
     committee: &'s Committee<'m, R>,
     observations: &'s [Observation],
+    /// Whether there are some among them that were not asked.
+    observed: bool,
 }
 
 impl<R: Real> Strategy<'_, '_, R> {
+    /// The bounds of the best hypotheses, each with its clause and what its gap is measured
+    /// by: the range of its form, or where only a small part of that works, or may work, a
+    /// few times the width of that part. So a slot of a thousandth is found, too.
+    fn bounds(&self) -> impl Iterator<Item = (&Clause<R>, &Bound<R>, R)> {
+        let clauses = self.committee.best_clauses();
+        clauses.flat_map(move |(step, clause)| {
+            let single = clause.or.is_none();
+            clause.bounds().map(move |bound| {
+                let width = match single {
+                    true => StepView::new(self.forms, step).feasible_width(&bound.form),
+                    false => bound.range,
+                };
+                let open = width + (bound.outer - bound.inner);
+                let wide = open * R::from_f64(self.forms.tuning().narrow_slot);
+                let least = R::from_f64(4.0) * tolerance(bound.inner);
+                (clause, bound, bound.range.min(wide).max(least))
+            })
+        })
+    }
+
     /// What the committee asks, if there is a reason to ask anything. `lhs` has room for
     /// the left sides at a sample.
     #[inline(never)]
@@ -59,41 +97,69 @@ impl<R: Real> Strategy<'_, '_, R> {
 }
 
 impl<'m, R: Real> VersionSpace<'m, R> {
+    /// Brings what is known up to date for the next questions, once after an answer. All
+    /// that choosing them changes happens here, but for a selection by
+    /// [`VersionSpace::select_again`].
+    #[inline(never)]
+    pub(super) fn prepare(&mut self, domain: &Domain<'_>) -> Phase {
+        if let Some(phase) = self.since.prepared {
+            return phase;
+        }
+        self.reseed(Step::Prepare);
+        let phase = self.phase();
+        match phase {
+            Phase::Search => {}
+            Phase::Judge => self.prepare_to_judge(domain),
+            Phase::Certify => self.prepare_to_certify(domain),
+            Phase::Doubt if self.is_doubtful() || self.is_time_to_approximate() => {
+                self.reselect(domain);
+            }
+            Phase::Doubt => self.repair(),
+        }
+        self.since.prepared = Some(phase);
+        phase
+    }
+
+    fn phase(&self) -> Phase {
+        if self.report.feasible == 0 || self.report.infeasible == 0 {
+            return Phase::Search;
+        }
+        let certifies = self.calls_left() <= self.certify_from && self.is_explained();
+        match self.approximating {
+            true if self.calls_left() <= self.judge_from() => Phase::Judge,
+            false if certifies => Phase::Certify,
+            _ => Phase::Doubt,
+        }
+    }
+
     /// Chooses what is pending.
     #[inline(never)]
     pub(super) fn next_query(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
-        if self.is_finished() {
+        if self.is_out_of_calls() {
             return Err(Error::OutOfSequence(
                 "learning is finished: ask for the region",
             ));
         }
-        let mut query =
-            candidate::anywhere(problem, &mut self.rng, self.config.tuning.proposal_scales);
+        let phase = self.prepare(problem.domain());
+        self.reseed(Step::Ask);
+        let mut rng = self.rng.clone();
+        let mut query = self.strategy(problem).0.anywhere(&mut rng);
+        self.rng = rng;
         if self.unasked.is_some()
             && let Some(instance) = self.unasked_instance(problem)
         {
             query.instance = instance;
         }
-        let mut purpose = Purpose::Anywhere;
-        if self.report.feasible > 0 && self.report.infeasible > 0 {
-            let certifies = self.calls_left() <= self.certify_from && self.is_explained();
-            if self.approximating && self.calls_left() <= self.judge_from() {
-                purpose = self.judge(problem, &mut query)?;
-            } else if certifies && !self.approximating {
-                purpose = match self.draw_to_certify(problem, &mut query)? {
-                    true => Purpose::Certify,
-                    false => Purpose::Anywhere,
-                };
-            } else {
-                purpose = self.doubt(problem, &mut query)?;
-            }
-        }
-        self.pending = Some(Pending {
-            query,
-            lead: 0,
-            failed_step: 1,
-            purpose,
-        });
+        let purpose = match phase {
+            Phase::Search => Purpose::Anywhere,
+            Phase::Judge => self.judge(problem, &mut query)?,
+            Phase::Certify => match self.draw(problem, &mut query)? {
+                true => Purpose::Certify,
+                false => Purpose::Anywhere,
+            },
+            Phase::Doubt => self.doubt(problem, &mut query)?,
+        };
+        self.pending = Some(Trial::new(query, purpose));
         Ok(())
     }
 
@@ -101,11 +167,6 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     /// if there is nothing.
     #[inline(never)]
     fn doubt(&mut self, problem: &Problem<'_>, query: &mut Query) -> Result<Purpose, Error> {
-        if self.is_doubtful() || self.is_time_to_approximate() {
-            self.reselect(problem.domain());
-        } else {
-            self.repair();
-        }
         if self.approximating {
             let tuning = self.config.tuning;
             let chance = uniform(&mut self.rng);
@@ -118,9 +179,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         }
         // A selection in between has random numbers of its own.
         let mut rng = self.rng.clone();
-        let found = self.choose(problem, &mut rng, query)?;
-        self.rng = rng;
-        Ok(match found {
+        Ok(match self.choose(problem, &mut rng, query)? {
             true => Purpose::Doubt,
             false => Purpose::Anywhere,
         })
@@ -143,7 +202,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             }
             if !self.selection.current {
                 // Nothing is left to ask: is there a better hypothesis to be doubted?
-                self.reselect(problem.domain());
+                self.select_again(problem.domain());
                 let (strategy, lhs) = self.strategy(problem);
                 if strategy.committee_query(lhs, rng, query)? {
                     return Ok(true);
@@ -169,13 +228,18 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             forms: &self.forms,
             committee: &self.committee,
             observations: self.observations.as_slice(),
+            observed: self.report.observed > 0,
         };
         (strategy, self.lhs)
     }
 
     pub(super) fn calls_left(&self) -> u32 {
-        let told = u32::try_from(self.observations.len()).unwrap_or(u32::MAX);
+        let told = u32::try_from(self.report.calls).unwrap_or(u32::MAX);
         let left = self.config.calls.saturating_sub(told);
         self.unasked.map_or(left, |unasked| unasked.min(left))
+    }
+
+    pub(super) fn is_out_of_calls(&self) -> bool {
+        self.calls_left() == 0
     }
 }

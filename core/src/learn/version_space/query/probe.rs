@@ -14,10 +14,10 @@ impl<R: Real> Strategy<'_, '_, R> {
     pub(super) fn probe(&self, rng: &mut Generator, query: &mut Query) -> Result<bool, Error> {
         let tuning = self.forms.tuning();
         let count = self.committee.best_bounds().count();
-        let Some((clause, bound)) = self.committee.best_bounds().nth(below(rng, count)) else {
+        let Some((clause, bound, width)) = self.bounds().nth(below(rng, count)) else {
             return Ok(false);
         };
-        let margin = bound.range * R::from_f64(tuning.narrow);
+        let margin = width * R::from_f64(tuning.narrow);
         let off = margin * R::from_f64(tuning.probe * uniform(rng));
         let farthest = margin * R::from_f64(tuning.probe);
         let inside = rng.next_u32() & 1 == 0;

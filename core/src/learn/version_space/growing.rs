@@ -1,0 +1,68 @@
+//! Instances that arrive while learning.
+//!
+//! Which right sides vary, and so which forms there are, depends on the instances. Where some
+//! are appended the forms are laid out anew, and what was told is taken in again: a learner
+//! knows what follows from its observations and the instances that there are now, whenever
+//! they arrived.
+
+use super::selection::Selection;
+use super::telling::Since;
+use super::{Report, VersionSpace, wanted};
+use crate::domain::Domain;
+use crate::error::Error;
+use crate::learn::Problem;
+use crate::learn::problem::CHANGED;
+use crate::real::Real;
+
+impl<R: Real> VersionSpace<'_, R> {
+    /// Gets to know the instances, or those that were appended.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if it knows others; [`Error::CapacityExceeded`] if there is no
+    /// room for so many.
+    #[inline(never)]
+    pub(super) fn begin(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
+        let begun = problem.begun();
+        match self.problem {
+            Some(known) if known == begun => return Ok(()),
+            Some(known) if !problem.continues(known) => return Err(CHANGED),
+            _ => self.forms.check_room(problem)?,
+        }
+        let (open, notes, told) = (self.pending, self.since.notes(), self.observations.len());
+        self.forget(problem.domain());
+        self.forms.lay_out(problem)?;
+        self.report.forms = self.forms.len();
+        self.report.forms_left_out = self.forms.left_out();
+        self.unasked = problem
+            .domain()
+            .parameters()
+            .is_empty()
+            .then_some(begun.count);
+        self.problem = Some(begun);
+        for place in 0..told {
+            if let Some(saved) = self.observations.slot(place).copied() {
+                self.take_again(problem, &saved)?;
+            }
+        }
+        self.redo(problem.domain(), notes);
+        self.pending = open;
+        Ok(())
+    }
+
+    /// Makes everything as it was before anything was told.
+    fn forget(&mut self, domain: &Domain<'_>) {
+        self.forms.forget();
+        self.committee.clear();
+        self.approximations.iter_mut().for_each(|own| own.clear());
+        self.approximating = false;
+        self.wanted = wanted(&self.config);
+        self.selection = Selection::default();
+        self.observations.clear();
+        (self.pending, self.since) = (None, Since::default());
+        self.influence = false;
+        (self.certifying, self.certify_from) = (false, self.config.certifying);
+        self.region.clear(domain);
+        self.evidence.clear();
+        self.report = Report::default();
+    }
+}
