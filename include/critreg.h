@@ -39,10 +39,10 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     forms       observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            182968 bytes           35424 bytes
- *           4096           256            712152 bytes           47200 bytes
- *          10000           256           1401792 bytes           56040 bytes
- *          20000           256           2384288 bytes           71040 bytes
+ *           1024           128            182000 bytes           35440 bytes
+ *           4096           256            710672 bytes           47216 bytes
+ *          10000           256           1400312 bytes           56056 bytes
+ *          20000           256           2382808 bytes           71056 bytes
  *
  * Every further instance takes 1.5 * forms + 1400 bytes more at most, every further step
  * 16 * forms + 5888. On a small machine critreg_config.precision, critreg_config.tracked

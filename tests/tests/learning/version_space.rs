@@ -161,7 +161,7 @@ proptest! {
         let learned = learn_region(&mut learner, &problem, |_, _| {
             Ok::<_, Error>(Outcome::Feasible)
         });
-        prop_assert!(learned.unwrap().formula().constraints().len() == 0);
+        prop_assert!(learned.unwrap().formula().constraints().is_empty());
         prop_assert_eq!(learner.why(), Why::AllWorked);
         let certificate = learner.report().certificate;
         prop_assert_eq!((certificate.draws, certificate.feasible), (60, 60));
