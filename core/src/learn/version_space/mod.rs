@@ -34,6 +34,12 @@
 //! clause may be a disjunction of two bounds: an excluded interval of one
 //! form, or a feasible set of two pieces.
 //!
+//! *Sums.* Where it takes less to say, a form has a sum of scaled sizes on the right, or a
+//! left side that is derived from several features or depends on the scene alone.
+//!
+//! *Nearly right.* Where nothing agrees with all answers, the region is the largest whose
+//! precision is what is wanted, and [`Quality`] says so.
+//!
 //! *Names.* If the simplest constant expression of the grammar in [S, G) is the
 //! only one of its kind, it is the threshold: measurements then end in exact
 //! values.
@@ -55,7 +61,7 @@
 //! *Actions without parameters* are sampled by their instances, each once: the region
 //! tells in which states they work.
 //!
-//! *Honesty.* There is no region if an infeasible sample is excluded by nothing, if the
+//! *Honesty.* There is no exact region if an infeasible sample is excluded by nothing, if the
 //! hypothesis is not much shorter than the answers that it explains, or if no instance
 //! has both feasible and infeasible samples: then the parameters were not shown to
 //! matter.
@@ -64,6 +70,7 @@
 //! |---|---|
 //! | `forms/` | forms: their values, S, and which infeasible samples each excludes |
 //! | `bound`, `clause`, `hypothesis` | what a region is made of; `disjunction`, `greedy` and `improve` look for it |
+//! | `approximate`, `quality` | the best region where none is exact, and what a region is worth |
 //! | `committee` | the hypotheses that are known, and their votes |
 //! | `selection` | repairing and selecting hypotheses |
 //! | `describe`, `name` | clauses in words of the domain |
