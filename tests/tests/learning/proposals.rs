@@ -82,7 +82,7 @@ fn learn(problem: &Problem<'_>, seed: u64) -> (Option<Region>, Vec<Theta>) {
 fn agreement(domain: &Domain<'_>, region: &Region) -> f64 {
     let targets = targets(1000);
     let mut right = 0;
-    for seed in 0..20 {
+    for seed in 0..100 {
         let all = near(&targets, 1.25 * REACH, seed);
         for (target, theta) in targets.chunks_exact(2).zip(&all) {
             let said = region.contains::<f64>(domain, target, &theta[..2]).unwrap();
@@ -110,7 +110,7 @@ fn a_region_of_half_a_percent_is_found_where_something_is_proposed() {
         }
     }
     let [alone, helped] = found;
-    assert!(alone < 10 && helped >= 18, "{found:?}");
+    assert!(alone < 10 && helped >= 19, "{found:?}");
 }
 
 #[test]
