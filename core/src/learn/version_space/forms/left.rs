@@ -63,24 +63,17 @@ impl<R: Real> Forms<'_, R> {
         if self.sums.capacity() == 0 {
             return;
         }
-        let Self {
-            features, lefts, ..
-        } = self;
         let mut ids: heapless::Vec<NodeId, { super::MAX_LHS }> = heapless::Vec::new();
-        features.derive(domain, &mut |id| {
+        self.features.derive(domain, &mut |id| {
             let _ = ids.push(id);
         });
         for id in ids {
-            let tier = match domain.dependence(features.nodes(), id) {
+            let tier = match domain.dependence(self.features.nodes(), id) {
                 Dependence::Sample => Tier::Derived,
                 Dependence::Constant | Dependence::Instance => Tier::Scene,
             };
             // One without room is left out.
-            let _ = lefts.push(Left {
-                feature: id.0,
-                kind: Kind::of(domain, features.nodes(), id),
-                tier,
-            });
+            let _ = self.add_left(domain, id, tier);
         }
     }
 

@@ -7,7 +7,7 @@
 
 use super::interval::excludes;
 use super::left::{Left, Tier};
-use super::sums::{Sum, TERMS, Term};
+use super::sums::{RightSide, Sum, TERMS, Term};
 use super::{Forms, NOTHING};
 use crate::domain::{Dimension, Domain, Node, NodeId, Quantity};
 use crate::grammar::Kind;
@@ -111,7 +111,7 @@ type Visit<'v> = &'v mut dyn FnMut([Term; TERMS], f32);
 
 impl<R: Real> Forms<'_, R> {
     /// Looks for sums that exclude many infeasible samples of a step, and keeps the best,
-    /// beside those that are still `used`. Tells how many forms there were.
+    /// beside those that are still `used`.
     #[inline(never)]
     pub(in super::super) fn find_sums(
         &mut self,
@@ -119,27 +119,25 @@ impl<R: Real> Forms<'_, R> {
         step: usize,
         effort: Effort,
         used: &dyn Fn(u32) -> bool,
-    ) -> u64 {
+    ) {
         let first = self.sums.first;
         for (slot, sum) in self.sums.slots.iter_mut().enumerate() {
             sum.kept &= used((first + slot) as u32);
         }
         if self.sums.slots.is_empty() || !self.sort_failures(step) {
-            return 0;
+            return;
         }
         let columns = self.columns(domain);
-        let mut tried = 0;
         for lhs in 0..self.lefts.len() {
             for upper in [true, false] {
                 if let Some(left) = self.lefts.as_slice().get(lhs).copied()
                     && self.view_left(step, lhs, upper)
                 {
-                    let best = self.best_of(&left, lhs, upper, &columns, effort, &mut tried);
+                    let best = self.best_of(&left, lhs, upper, &columns, effort);
                     self.keep(&best, used);
                 }
             }
         }
-        tried
     }
 
     /// Sorts the infeasible samples of a step by instance; `false` if there are none.
@@ -229,13 +227,11 @@ impl<R: Real> Forms<'_, R> {
         upper: bool,
         columns: &Columns,
         effort: Effort,
-        tried: &mut u64,
     ) -> Vec<Sum, OF_EACH> {
         let base = self.left_length(lhs, left, upper);
         let most = self.ends.iter().map(|end| end.count).sum::<u32>() as f32;
         let mut best: Vec<Sum, OF_EACH> = Vec::new();
         columns.for_each_right(left, effort, &mut |terms, length| {
-            *tried += 1;
             let length = base + length;
             // Whether it could be among the best if it excluded everything.
             let hopeless = |least: &Sum| most / length <= least.worth;
@@ -334,32 +330,6 @@ impl<R: Real> Forms<'_, R> {
                 self.sums.evaluate(slot, &self.values);
             }
         }
-    }
-}
-
-/// A right side from one direction, with its factors at hand.
-struct RightSide<R> {
-    terms: [(usize, R); TERMS],
-}
-
-impl<R: Real> RightSide<R> {
-    fn of(terms: &[Term; TERMS], upper: bool) -> Self {
-        let sign = if upper { 1.0 } else { -1.0 };
-        let terms = terms.map(|term| {
-            let factor = R::from_f64(sign * term.factor());
-            (usize::from(term.column), factor)
-        });
-        RightSide { terms }
-    }
-
-    /// The value where those of all columns are in a row.
-    #[inline(always)]
-    fn value(&self, row: &[R]) -> R {
-        let terms = self.terms.iter();
-        terms.fold(R::ZERO, |sum, (column, factor)| match row.get(*column) {
-            Some(value) => sum + *value * *factor,
-            None => sum,
-        })
     }
 }
 

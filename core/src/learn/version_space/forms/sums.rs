@@ -102,22 +102,38 @@ impl<R: Real> Sums<'_, R> {
         let Some(sum) = self.slots.get(slot) else {
             return;
         };
+        let right_side = RightSide::of(&sum.terms, true);
         let own = self.values.chunks_exact_mut(self.instances.max(1));
         for (instance, value) in own.into_iter().nth(slot).into_iter().flatten().enumerate() {
-            *value = right_side(&sum.terms, values.rhs_in(instance));
+            *value = right_side.value(values.rhs_in(instance));
         }
     }
 }
 
-/// The value of a sum, where those of all right sides are in a row.
-#[inline(always)]
-pub(super) fn right_side<R: Real>(terms: &[Term; TERMS], row: &[R]) -> R {
-    terms.iter().fold(R::ZERO, |sum, term| {
-        match row.get(usize::from(term.column)) {
-            Some(value) if term.is_some() => sum + *value * R::from_f64(term.factor()),
-            _ => sum,
-        }
-    })
+/// A right side from one direction, with its factors at hand.
+pub(super) struct RightSide<R> {
+    terms: [(usize, R); TERMS],
+}
+
+impl<R: Real> RightSide<R> {
+    pub(super) fn of(terms: &[Term; TERMS], upper: bool) -> Self {
+        let sign = if upper { 1.0 } else { -1.0 };
+        let terms = terms.map(|term| {
+            let factor = R::from_f64(sign * term.factor());
+            (usize::from(term.column), factor)
+        });
+        RightSide { terms }
+    }
+
+    /// The value where those of all columns are in a row.
+    #[inline(always)]
+    pub(super) fn value(&self, row: &[R]) -> R {
+        let terms = self.terms.iter();
+        terms.fold(R::ZERO, |sum, (column, factor)| match row.get(*column) {
+            Some(value) => sum + *value * *factor,
+            None => sum,
+        })
+    }
 }
 
 impl<R: Real> Forms<'_, R> {
