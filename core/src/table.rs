@@ -125,6 +125,16 @@ impl<'m, T> Table<'m, T> {
         Ok(())
     }
 
+    /// Takes out the item at a place, the items behind it moving down by one.
+    pub(crate) fn remove(&mut self, place: usize) {
+        if let Some(behind) = self.as_mut_slice().get_mut(place..)
+            && !behind.is_empty()
+        {
+            behind.rotate_left(1);
+            self.used -= 1;
+        }
+    }
+
     /// Forgets all items.
     pub fn clear(&mut self) {
         self.used = 0;

@@ -66,6 +66,7 @@ fn learning_and_drawing() {
         forms: 4096,
         tracked: 4096,
         sums: usize::MAX,
+        questions: 16,
         observations: 128,
         instances: 4,
         steps: 1,

@@ -21,7 +21,7 @@ use crate::error::Error;
 use crate::wire::{FRAME, Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRLJ";
-const VERSION: u16 = 1;
+const VERSION: u16 = 2;
 
 /// Bytes of a record.
 fn record_len(problem: &Problem<'_>) -> usize {

@@ -10,14 +10,17 @@
 //! | 2 | number of parameters n |
 //! | 2 | what the learner did since the last observation |
 //! | 4 | number of observations |
-//! | 4 | number of questions that are open |
-//! | 8 + 8 n each | an observation, then an open question: instance (4), outcome (2, [`Outcome::code`]), whether it was asked (1), what the learner did before (1), parameters |
+//! | 4 | number of questions that were asked |
+//! | 4 | number of those whose answers are not taken in |
+//! | 8 + 8 n each | an observation: instance (4), outcome (2, [`Outcome::code`]), what it was asked for, if it was, and what the learner did before (2), parameters |
+//! | 18 + 8 n each | such a question: id (8), what became of it (2), and as an observation, with the outcome that waits |
 //! | 4 | CRC-32 of all before |
 //!
 //! What a learner did follows from the observations and the notes beside them, so nothing is
 //! asked again to resume it.
 
 use super::problem::{Begun, Problem};
+use super::question::{PURPOSE, Purpose, Question, State, Trial};
 use super::{Learner, Outcome, Query};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
@@ -26,8 +29,8 @@ use crate::table::Blank;
 use crate::wire::{FRAME, Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRLG";
-const VERSION: u16 = 3;
-const HEADER: usize = 4 + 4 + 4 + 2 + 2 + 4 + 4;
+const VERSION: u16 = 4;
+const HEADER: usize = 4 + 4 + 4 + 2 + 2 + 4 + 4 + 4;
 
 /// A sample that was tried and what came of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,10 +39,8 @@ pub struct Observation {
     pub instance: u32,
     /// What came of it.
     pub outcome: Outcome,
-    /// Whether the learner asked for it.
-    pub asked: bool,
     /// What it was asked for and what the learner did before, as the learner notes it.
-    pub(super) notes: u8,
+    pub(super) notes: u16,
     /// The parameters of the action.
     pub theta: Theta,
 }
@@ -48,7 +49,6 @@ impl Blank for Observation {
     const BLANK: Self = Observation {
         instance: 0,
         outcome: Outcome::Unknown,
-        asked: true,
         notes: 0,
         theta: [0.0; MAX_PARAMETERS],
     };
@@ -68,10 +68,14 @@ impl Observation {
         Ok(Observation {
             instance,
             outcome,
-            asked: true,
             notes: 0,
             theta: query.theta,
         })
+    }
+
+    /// Whether the learner asked for it.
+    pub fn asked(&self) -> bool {
+        self.notes & PURPOSE != Purpose::Told as u16
     }
 
     /// The sample.
@@ -91,7 +95,7 @@ impl Observation {
         writer.u32(self.instance);
         // From -255 to 2.
         writer.i16(self.outcome.code() as i16);
-        writer.u16(u16::from(self.asked) | u16::from(self.notes) << 8);
+        writer.u16(self.notes);
         for (value, _) in self.theta.iter().zip(problem.domain().parameters()) {
             writer.f64(*value);
         }
@@ -101,7 +105,7 @@ impl Observation {
         let instance = reader.u32()?;
         let outcome = Outcome::from_code(reader.i16()?.into())
             .map_err(|_| Error::Corrupt("a saved outcome is none"))?;
-        let [asked, notes] = reader.u16()?.to_le_bytes();
+        let notes = reader.u16()?;
         let mut theta = [0.0; MAX_PARAMETERS];
         for (value, _) in theta.iter_mut().zip(problem.domain().parameters()) {
             *value = reader.f64()?;
@@ -109,9 +113,49 @@ impl Observation {
         Ok(Observation {
             instance,
             outcome,
-            asked: asked != 0,
             notes,
             theta,
+        })
+    }
+}
+
+/// Bytes of a question that is open, beside those of an observation.
+const TRIAL: usize = 8 + 2;
+
+impl Trial {
+    fn write(&self, writer: &mut Writer<'_>, problem: &Problem<'_>) -> Result<(), Error> {
+        let (state, outcome) = match self.state {
+            State::Open => (0, Outcome::Unknown),
+            State::Again => (1, Outcome::Unknown),
+            State::Forgotten => (2, Outcome::Unknown),
+            State::Answered(outcome) => (3, outcome),
+        };
+        writer.u64(self.question.id);
+        writer.u16(state);
+        let observation = Observation {
+            notes: self.purpose as u16,
+            ..Observation::new(self.query(), outcome)?
+        };
+        observation.write(writer, problem);
+        Ok(())
+    }
+
+    fn read(reader: &mut Reader<'_>, problem: &Problem<'_>) -> Result<Self, Error> {
+        let (id, state) = (reader.u64()?, reader.u16()?);
+        let observation = Observation::read(reader, problem)?;
+        let query = observation.query();
+        Ok(Trial {
+            state: match state {
+                0 => State::Open,
+                1 => State::Again,
+                2 => State::Forgotten,
+                3 => State::Answered(observation.outcome),
+                _ => return Err(Error::Corrupt("a saved question is none")),
+            },
+            ..Trial::new(
+                Question { id, query },
+                Purpose::of_notes(observation.notes)?,
+            )
         })
     }
 }
@@ -119,8 +163,8 @@ impl Observation {
 /// How many bytes [`save`] needs for a learner in its present state.
 pub fn saved_len(learner: &(impl Learner + ?Sized), problem: &Problem<'_>) -> usize {
     let each = Observation::saved_len(problem);
-    let open = usize::from(learner.open().is_some());
-    FRAME + HEADER + each * (learner.observations().len() + open)
+    let trials = learner.trials().len() * (TRIAL + each);
+    FRAME + HEADER + each * learner.observations().len() + trials
 }
 
 /// Writes what a learner was told into `bytes` and returns how many were used.
@@ -141,12 +185,16 @@ pub fn save(
     writer.u32(count);
     writer.u32(learner.fingerprint());
     writer.u16(u16::try_from(parameters).map_err(|_| TOO_MANY)?);
-    writer.u16(learner.notes().into());
+    let (notes, asked) = learner.notes();
+    writer.u16(notes);
     writer.u32(u32::try_from(observations.len()).map_err(|_| TOO_MANY)?);
-    let open = learner.open();
-    writer.u32(open.is_some().into());
-    for observation in observations.iter().chain(&open) {
+    writer.u32(asked);
+    writer.u32(u32::try_from(learner.trials().len()).map_err(|_| TOO_MANY)?);
+    for observation in observations {
         observation.write(&mut writer, problem);
+    }
+    for trial in learner.trials() {
+        trial.write(&mut writer, problem)?;
     }
     writer.finish("bytes for a saved learner")
 }
@@ -176,9 +224,8 @@ pub fn resume<L: Learner + ?Sized>(
     if usize::from(reader.u16()?) != problem.domain().parameters().len() {
         return Err(Error::Corrupt("the saved samples have other parameters"));
     }
-    let [notes, _] = reader.u16()?.to_le_bytes();
-    let count = reader.u32()?;
-    let open = reader.u32()?;
+    let notes = reader.u16()?;
+    let (count, asked, trials) = (reader.u32()?, reader.u32()?, reader.u32()?);
     if usize::try_from(count).map_or(true, |count| count > learner.room()) {
         return Err(Error::CapacityExceeded("observations"));
     }
@@ -186,17 +233,17 @@ pub fn resume<L: Learner + ?Sized>(
         let saved = Observation::read(&mut reader, problem)?;
         learner.replay(problem, &saved)?;
     }
-    let open = match open {
-        0 => None,
-        _ => Some(Observation::read(&mut reader, problem)?),
-    };
-    learner.reopen(problem, notes, open.as_ref())?;
+    learner.reopen(problem, (notes, asked))?;
+    for _ in 0..trials {
+        let saved = Trial::read(&mut reader, problem)?;
+        learner.restore(problem, saved)?;
+    }
     reader.finish()
 }
 
 /// Checks that nothing was asked or told yet.
 pub(super) fn check_fresh(learner: &(impl Learner + ?Sized)) -> Result<(), Error> {
-    match learner.observations().is_empty() && learner.open().is_none() {
+    match learner.observations().is_empty() && learner.trials().is_empty() {
         true => Ok(()),
         false => Err(Error::OutOfSequence(
             "resume before anything is asked or told",

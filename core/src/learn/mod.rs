@@ -64,6 +64,7 @@ mod journal;
 mod log;
 mod outcome;
 mod problem;
+mod question;
 mod tables;
 pub mod version_space;
 
@@ -72,6 +73,9 @@ pub use journal::{journal, journal_len, resume_journal};
 pub use log::{Observation, resume, save, saved_len};
 pub use outcome::Outcome;
 pub use problem::Problem;
+#[doc(hidden)]
+pub use question::Trial;
+pub use question::{MAX_QUESTIONS, Question};
 pub use version_space::{Capacity, Certificate, Config, Evidence, Memory, Report, VersionSpace};
 
 use crate::error::Error;
@@ -106,6 +110,35 @@ pub trait Learner {
     /// nothing was told, and the query still waits for its answer.
     fn tell(&mut self, problem: &Problem<'_>, outcome: Outcome) -> Result<(), Error>;
 
+    /// A question more beside those that are open, for one more worker; `None` if none is
+    /// worth asking before an answer comes: the calls that are left are all asked for, or
+    /// there is no room for more. [`Learner::ask`] is the case of one. No two open questions
+    /// are about the same sample.
+    ///
+    /// The answers may come in any order. What is asked next, and what is learned, depends on
+    /// what was told before it was asked, and not on the order in which that came.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if the problem is not the one learning began with.
+    fn ask_more(&mut self, problem: &Problem<'_>) -> Result<Option<Question>, Error>;
+
+    /// Takes the answer to a question, by its id. It may have to wait for those of questions
+    /// that were asked before; but it is taken in when the learner asks next, or
+    /// [`concludes`](Learner::conclude).
+    ///
+    /// # Errors
+    /// [`Error::OutOfSequence`] if no such question waits for an answer, and those of
+    /// [`Learner::tell`]. Then nothing was told.
+    fn tell_id(&mut self, problem: &Problem<'_>, id: u64, outcome: Outcome) -> Result<(), Error>;
+
+    /// Waits no longer for the answer to a question: the worker was lost. Its sample may be
+    /// asked about again. An answer that comes all the same is taken, as long as the room of
+    /// the question was not needed for another.
+    ///
+    /// # Errors
+    /// [`Error::OutOfSequence`] if no such question is open.
+    fn forget(&mut self, id: u64) -> Result<(), Error>;
+
     /// Takes what came of a sample that was not asked for: from a log, a demonstration,
     /// somebody else's trials. It costs no call, and a question that is open stays open.
     ///
@@ -128,13 +161,14 @@ pub trait Learner {
     /// [`Error::Mismatch`] if the problem is not the one learning began with.
     fn conclude(&mut self, problem: &Problem<'_>) -> Result<(), Error>;
 
-    /// The question that is open, with an unknown outcome.
+    /// The questions whose answers are not taken in.
     #[doc(hidden)]
-    fn open(&self) -> Option<Observation>;
+    fn trials(&self) -> &[Trial];
 
-    /// What was done since the last observation, for [`Learner::reopen`].
+    /// What was done since the last observation, and how many questions were asked, for
+    /// [`Learner::reopen`].
     #[doc(hidden)]
-    fn notes(&self) -> u8;
+    fn notes(&self) -> (u16, u32);
 
     /// Does what led to a saved observation, and takes it.
     ///
@@ -143,17 +177,19 @@ pub trait Learner {
     #[doc(hidden)]
     fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error>;
 
-    /// Does what was done after the last observation, and opens the question that was open.
+    /// Does what was done after the last observation.
     ///
     /// # Errors
     /// Those of [`Learner::ask`].
     #[doc(hidden)]
-    fn reopen(
-        &mut self,
-        problem: &Problem<'_>,
-        notes: u8,
-        open: Option<&Observation>,
-    ) -> Result<(), Error>;
+    fn reopen(&mut self, problem: &Problem<'_>, notes: (u16, u32)) -> Result<(), Error>;
+
+    /// Opens a question that was open.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] if there is no room for it, and those of [`Learner::ask`].
+    #[doc(hidden)]
+    fn restore(&mut self, problem: &Problem<'_>, saved: Trial) -> Result<(), Error>;
 
     /// Whether there is nothing more to ask.
     fn is_finished(&self) -> bool;
@@ -173,6 +209,13 @@ pub trait Learner {
     /// A checksum of everything that decides what is asked, apart from the
     /// problem and the answers.
     fn fingerprint(&self) -> u32;
+}
+
+/// The questions whose answers a learner waits for, in the order in which they were asked:
+/// to hand them out again after a run was resumed.
+pub fn open_questions(learner: &(impl Learner + ?Sized)) -> impl Iterator<Item = Question> {
+    let open = learner.trials().iter().filter(|trial| trial.is_open());
+    open.map(|trial| trial.question)
 }
 
 /// Asks, tries and tells until the learner is finished, and returns the region.

@@ -3,6 +3,7 @@
 
 use critreg_core::domain::MAX_PARAMETERS;
 use critreg_core::grammar::MAX_CONSTRAINTS;
+use critreg_core::learn::Trial;
 use critreg_core::region::MAX_INTERVALS;
 
 /// Longest domain text in bytes, with its NUL.
@@ -10,7 +11,7 @@ pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
 
 /// Bytes of a learner that do not depend on its capacity, on a machine with
 /// pointers of 32 bits; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_LEARNER_FIXED_BYTES: usize = 21_504;
+pub const CRITREG_LEARNER_FIXED_BYTES: usize = 22_700;
 
 /// Bytes of a region, on a machine with pointers of 32 bits; for
 /// CRITREG_REGION_WORDS.
@@ -23,6 +24,10 @@ pub const CRITREG_HANDLE_POINTERS: usize = 656;
 /// Bytes of a sample that was told, apart from its left sides; for
 /// CRITREG_LEARNER_WORDS.
 pub const CRITREG_OBSERVATION_BYTES: usize = 76;
+
+/// Bytes of a question that can be open, of which CRITREG_LEARNER_WORDS has
+/// CRITREG_DEFAULT_QUESTIONS.
+pub const CRITREG_QUESTION_BYTES: usize = 88;
 
 /// Bytes of a feature, apart from its values in the instances; for
 /// CRITREG_LEARNER_WORDS.
@@ -79,5 +84,6 @@ pub const CRITREG_MAX_CONSTRAINTS: usize = 32;
 pub const CRITREG_MAX_INTERVALS: usize = 33;
 
 const _: () = assert!(CRITREG_MAX_PARAMETERS == MAX_PARAMETERS);
+const _: () = assert!(CRITREG_QUESTION_BYTES >= size_of::<Trial>());
 const _: () = assert!(CRITREG_MAX_CONSTRAINTS == MAX_CONSTRAINTS);
 const _: () = assert!(CRITREG_MAX_INTERVALS == MAX_INTERVALS);

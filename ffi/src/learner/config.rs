@@ -14,7 +14,7 @@ use critreg_core::Error;
 use critreg_core::domain::Domain;
 #[cfg(feature = "algorithm1")]
 use critreg_core::learn::algorithm1;
-use critreg_core::learn::version_space;
+use critreg_core::learn::{MAX_QUESTIONS, version_space};
 #[cfg(feature = "algorithm1")]
 use critreg_core::region::Theta;
 
@@ -42,6 +42,14 @@ pub const CRITREG_MAX_DEFAULT_FORMS: u32 = 1 << 24;
 
 /// Problem instances a learner has room for unless the configuration tells.
 pub const CRITREG_DEFAULT_INSTANCES: u32 = 16;
+
+/// Questions that can be open at once unless the configuration tells.
+pub const CRITREG_DEFAULT_QUESTIONS: u32 = 16;
+
+/// Most questions that can be open at once.
+pub const CRITREG_MAX_QUESTIONS: u32 = 64;
+
+const _: () = assert!(CRITREG_MAX_QUESTIONS as usize == MAX_QUESTIONS);
 
 /// Most steps of a sequence of actions.
 pub const CRITREG_MAX_STEPS: u32 = 4;
@@ -139,6 +147,10 @@ pub struct critreg_config {
     /// agrees with all outcomes, from 0.5 to 0.999. The learner then looks for the largest
     /// such region, and spends a quarter of the calls to estimate how good it is. Default 0.95.
     pub precision_wanted: f64,
+    /// CRITREG_VERSION_SPACE: questions that can be open at once, from 1 to
+    /// CRITREG_MAX_QUESTIONS; see critreg_ask_many(). Default CRITREG_DEFAULT_QUESTIONS; for
+    /// each one more critreg_learner_size() tells CRITREG_QUESTION_BYTES more.
+    pub questions: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -170,6 +182,7 @@ fn defaults() -> critreg_config {
         precision: Precision::DEFAULT.number(),
         sums: u32::MAX,
         precision_wanted: settings.precision_wanted,
+        questions: CRITREG_DEFAULT_QUESTIONS,
     }
 }
 
@@ -225,6 +238,11 @@ impl critreg_config {
         if self.instances == 0 {
             return Err(Failure::invalid("a learner has at least one instance"));
         }
+        if !(1..=CRITREG_MAX_QUESTIONS).contains(&self.questions) {
+            return Err(Failure::invalid(
+                "config.questions: a learner has room for 1 to 64 open questions",
+            ));
+        }
         if observations as usize > version_space::MAX_OBSERVATIONS {
             return Err(Failure::invalid(
                 "this learner has room for at most 2048 observations, or 256 in a small build",
@@ -237,6 +255,7 @@ impl critreg_config {
             instances: self.instances as usize,
             steps: self.steps as usize,
             sums: self.sums as usize,
+            questions: self.questions as usize,
         }))
     }
 

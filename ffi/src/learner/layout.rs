@@ -4,7 +4,7 @@ use crate::boundary::memory::{Packer, Part, append};
 use crate::boundary::precision::{Precision, in_precision};
 use crate::boundary::status::Fallible;
 use crate::learner::any::{AnyLearner, Capacity};
-use crate::learner::config::critreg_config;
+use crate::learner::config::{CRITREG_DEFAULT_QUESTIONS, critreg_config};
 use crate::learner::handle::critreg_learner;
 use crate::learner::tables;
 use crate::region::handle::critreg_region;
@@ -131,6 +131,7 @@ const _: () = {
                 observations,
                 instances,
                 steps,
+                questions: CRITREG_DEFAULT_QUESTIONS as usize,
             };
             #[cfg(feature = "algorithm1")]
             {

@@ -9,6 +9,7 @@
 //! | [`making`] | making one |
 //! | [`outcome`] | what came of a trial, as C says it |
 //! | [`learning`] | asking and telling |
+//! | [`questions`] | several questions at once |
 //! | [`inspection`] | what is asked about one: whether it is finished, what it learned |
 //! | [`quality`] | how good a region is, and why there is none |
 //! | [`report`] | how learning went |
@@ -23,6 +24,7 @@ pub mod learning;
 pub mod making;
 pub mod outcome;
 pub mod quality;
+pub mod questions;
 pub mod report;
 pub mod saving;
 pub(crate) mod tables;

@@ -38,6 +38,7 @@ fn room(forms: usize, observations: usize, instances: usize) -> VersionSpaceRoom
         forms,
         tracked: usize::MAX,
         sums: usize::MAX,
+        questions: 16,
         observations,
         instances,
         steps: 1,

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 30] = [
+const SOURCES: [&str; 31] = [
     "boundary/status.rs",
     "boundary/limits.rs",
     "boundary/precision.rs",
@@ -16,6 +16,7 @@ const SOURCES: [&str; 30] = [
     "learner/making.rs",
     "learner/outcome.rs",
     "learner/learning.rs",
+    "learner/questions.rs",
     "learner/inspection.rs",
     "learner/saving.rs",
     "region/handle.rs",

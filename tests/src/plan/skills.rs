@@ -38,6 +38,7 @@ impl TrainingRoom {
                 forms: 12_000,
                 tracked: usize::MAX,
                 sums: usize::MAX,
+                questions: 16,
                 observations: calls.max(instances),
                 instances,
                 steps: 2,

@@ -67,6 +67,7 @@ impl Scenario {
             forms: 12_000,
             tracked: usize::MAX,
             sums: usize::MAX,
+            questions: 16,
             observations: self.calls as usize,
             instances: self.instances,
             steps: self.steps,

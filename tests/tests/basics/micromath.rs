@@ -75,6 +75,7 @@ fn learned<R: Real>(seed: u64) -> Result<(f64, f64), Error> {
         steps: 1,
         tracked: 1024,
         sums: usize::MAX,
+        questions: 16,
     };
     let mut rng = generator(seed);
     let instances: Vec<_> = (0..12).map(|_| uniform_in(&mut rng, -1.0, 1.0)).collect();

@@ -51,6 +51,7 @@ fn check(heading: &str, calls: u32, draw: Draw, works: Works) {
         forms: FORMS,
         tracked: usize::MAX,
         sums: usize::MAX,
+        questions: 16,
         observations: calls as usize,
         instances: INSTANCES,
         steps: 1,

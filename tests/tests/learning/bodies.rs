@@ -144,6 +144,7 @@ fn learned(task: &Task, seed: u64, is_aligned: bool) -> (String, [f64; 2]) {
         forms: 12_000,
         tracked: usize::MAX,
         sums: usize::MAX,
+        questions: 16,
         observations: CALLS as usize,
         instances: INSTANCES,
         steps: 1,

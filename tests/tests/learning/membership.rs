@@ -21,6 +21,7 @@ fn room(forms: usize, observations: u32, instances: usize) -> VersionSpaceRoom {
         forms,
         tracked: usize::MAX,
         sums: usize::MAX,
+        questions: 16,
         observations: observations as usize,
         instances,
         steps: 1,

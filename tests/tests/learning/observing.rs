@@ -310,7 +310,7 @@ proptest! {
         prop_assert_eq!(learner.ask(&problem).unwrap(), query);
         learner.tell(&problem, fits(&problem, &query)).unwrap();
         let last = learner.observations().last().unwrap();
-        prop_assert_eq!((last.query(), last.asked), (query, true));
+        prop_assert_eq!((last.query(), last.asked()), (query, true));
         prop_assert_eq!(learner.report().observed, observed);
         prop_assert_eq!(learner.report().calls, 11);
     }

@@ -43,6 +43,7 @@ fn capacity() -> Capacity {
         forms: 12_000,
         tracked: usize::MAX,
         sums: usize::MAX,
+        questions: 16,
         observations: CALLS as usize,
         instances: INSTANCES,
         steps: 1,

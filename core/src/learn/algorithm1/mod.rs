@@ -44,6 +44,7 @@ pub use config::{Capacity, Config, Memory, Report};
 
 use super::log::Observation;
 use super::problem::{Begun, Problem};
+use super::question::{Purpose, Question, State, Trial};
 use super::{Learner, Outcome, Query};
 use crate::domain::{Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene};
 use crate::error::Error;
@@ -112,7 +113,8 @@ pub struct Algorithm1<'m, R> {
     observations: Table<'m, Observation>,
     rng: Generator,
     phase: Phase,
-    pending: Option<Query>,
+    pending: Option<Trial>,
+    serial: u32,
     problem: Option<Begun>,
     points: PointSet,
     region: Region,
@@ -161,6 +163,7 @@ impl<'m, R: Real> Algorithm1<'m, R> {
             rng: generator(config.seed),
             phase: Phase::Negative,
             pending: None,
+            serial: 0,
             problem: None,
             points: PointSet::all(domain),
             region: Region::new(domain, Formula::everything()),
@@ -229,6 +232,13 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         Ok(Query { instance, theta })
     }
 
+    fn pending_with(&mut self, id: u64) -> Result<&mut Trial, Error> {
+        let pending = self.pending.as_mut().filter(|own| own.question.id == id);
+        pending.ok_or(Error::OutOfSequence(
+            "no question with this id waits for an answer",
+        ))
+    }
+
     fn anywhere(&mut self, domain: &Domain<'_>) -> Theta {
         let mut theta = [0.0; MAX_PARAMETERS];
         for (value, p) in theta.iter_mut().zip(domain.parameters()) {
@@ -291,18 +301,41 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
         self.problem.get_or_insert(problem.begun());
         problem.check_begun(self.problem)?;
-        if let Some(pending) = self.pending {
-            return Ok(pending);
+        if let Some(pending) = &mut self.pending {
+            pending.state = State::Open;
+            return Ok(*pending.query());
         }
         let query = self.next_query(problem)?;
-        self.pending = Some(query);
+        self.serial = self.serial.wrapping_add(1);
+        let question = Question::new(self.serial, query);
+        self.pending = Some(Trial::new(question, Purpose::Doubt));
         Ok(query)
     }
 
+    fn ask_more(&mut self, problem: &Problem<'_>) -> Result<Option<Question>, Error> {
+        // Each question follows from the answer to the one before.
+        if self.is_finished() || self.pending.as_ref().is_some_and(Trial::is_open) {
+            return Ok(None);
+        }
+        self.ask(problem)?;
+        Ok(self.pending.as_ref().map(|pending| pending.question))
+    }
+
+    fn tell_id(&mut self, problem: &Problem<'_>, id: u64, outcome: Outcome) -> Result<(), Error> {
+        self.pending_with(id)?;
+        self.tell(problem, outcome)
+    }
+
+    fn forget(&mut self, id: u64) -> Result<(), Error> {
+        self.pending_with(id)?.state = State::Again;
+        Ok(())
+    }
+
     fn tell(&mut self, problem: &Problem<'_>, outcome: Outcome) -> Result<(), Error> {
-        let Some(query) = self.pending else {
+        let Some(pending) = &self.pending else {
             return Err(Error::OutOfSequence("ask for a sample before telling"));
         };
+        let query = *pending.query();
         problem.check_begun(self.problem)?;
         self.evaluate(problem, &query)?;
         self.observations.push(Observation::new(&query, outcome)?)?;
@@ -331,25 +364,30 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         Ok(())
     }
 
-    fn open(&self) -> Option<Observation> {
-        Observation::new(self.pending.as_ref()?, Outcome::Unknown).ok()
+    fn trials(&self) -> &[Trial] {
+        self.pending.as_slice()
     }
 
-    fn notes(&self) -> u8 {
-        0
+    fn notes(&self) -> (u16, u32) {
+        (0, self.serial)
     }
 
     fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error> {
         if self.ask(problem)? != saved.query() {
-            return Err(Error::Mismatch(
-                "the saved samples are not those of this learner",
-            ));
+            return Err(OTHER_SAMPLES);
         }
         self.tell(problem, saved.outcome)
     }
 
-    fn reopen(&mut self, _: &Problem<'_>, _: u8, _: Option<&Observation>) -> Result<(), Error> {
-        // The question is the next one.
+    fn reopen(&mut self, _: &Problem<'_>, _: (u16, u32)) -> Result<(), Error> {
+        Ok(())
+    }
+
+    fn restore(&mut self, problem: &Problem<'_>, saved: Trial) -> Result<(), Error> {
+        match self.ask(problem)? == *saved.query() {
+            true => self.pending = Some(saved),
+            false => return Err(OTHER_SAMPLES),
+        }
         Ok(())
     }
 
@@ -388,6 +426,8 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         digest.finalize()
     }
 }
+
+const OTHER_SAMPLES: Error = Error::Mismatch("the saved samples are not those of this learner");
 
 fn check_sample(domain: &Domain<'_>, sample: &Theta) -> Result<(), Error> {
     let used = sample.get(..domain.parameters().len()).unwrap_or(&[]);

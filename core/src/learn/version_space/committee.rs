@@ -17,17 +17,41 @@ pub(super) struct Committee<'m, R> {
     hypotheses: &'m mut [Hypothesis<R>],
 }
 
-/// How many members expect a sample to work, and how many do not.
+/// Which members expect a sample to work, and which do not; a bit for each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Votes {
-    in_favour: usize,
-    against: usize,
+    in_favour: u8,
+    against: u8,
 }
 
-impl Votes {
-    /// How evenly they split: zero if all agree.
-    pub(super) fn disagreement(self) -> usize {
-        self.in_favour * self.against
+/// The committee as the answers to the open questions will divide it: members that expect the
+/// same of all of them survive together. A question is worth as much as it divides what any of
+/// the answers leaves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Branches([u8; MEMBERS]);
+
+impl Branches {
+    /// No question is open.
+    pub(super) const ONE: Branches = Branches([u8::MAX, 0, 0, 0, 0, 0, 0, 0]);
+
+    /// Divides each by what its members expect of one more question.
+    pub(super) fn split(&mut self, votes: Votes) {
+        let mut new = [0; MEMBERS];
+        let sides = [votes.in_favour, votes.against];
+        let parts = self.0.iter().flat_map(|own| sides.map(|side| own & side));
+        // There are no more than members.
+        for (slot, part) in new.iter_mut().zip(parts.filter(|part| *part != 0)) {
+            *slot = part;
+        }
+        self.0 = new;
+    }
+
+    /// How evenly votes split the members of each: zero if all agree.
+    pub(super) fn disagreement(&self, votes: Votes) -> u32 {
+        let own = |branch: &u8| {
+            (branch & votes.in_favour).count_ones() * (branch & votes.against).count_ones()
+        };
+        self.0.iter().map(own).sum()
     }
 }
 
@@ -110,9 +134,9 @@ impl<'m, R: Real> Committee<'m, R> {
                 continue;
             }
             if own().all(agrees) {
-                in_favour += 1;
+                in_favour |= 1 << member;
             } else {
-                against += 1;
+                against |= 1 << member;
             }
         }
         Votes { in_favour, against }

@@ -28,7 +28,7 @@ impl<R: Real> VersionSpace<'_, R> {
             Some(known) if !problem.continues(known) => return Err(CHANGED),
             _ => self.forms.check_room(problem)?,
         }
-        let (open, notes, told) = (self.pending, self.since.notes(), self.observations.len());
+        let (notes, told) = (self.since.notes(), self.observations.len());
         self.forget(problem.domain());
         self.forms.lay_out(problem)?;
         self.report.forms = self.forms.len();
@@ -39,13 +39,13 @@ impl<R: Real> VersionSpace<'_, R> {
             .is_empty()
             .then_some(begun.count);
         self.problem = Some(begun);
+        let open = self.trials.len();
         for place in 0..told {
             if let Some(saved) = self.observations.slot(place).copied() {
-                self.take_again(problem, &saved)?;
+                self.take_again(problem, &saved, open)?;
             }
         }
         self.redo(problem.domain(), notes);
-        self.pending = open;
         Ok(())
     }
 
@@ -58,7 +58,11 @@ impl<R: Real> VersionSpace<'_, R> {
         self.wanted = wanted(&self.config);
         self.selection = Selection::default();
         self.observations.clear();
-        (self.pending, self.since) = (None, Since::default());
+        self.trials
+            .as_mut_slice()
+            .iter_mut()
+            .for_each(|own| own.lead = 0);
+        self.since = Since::default();
         self.influence = false;
         (self.certifying, self.certify_from) = (false, self.config.certifying);
         self.region.clear(domain);

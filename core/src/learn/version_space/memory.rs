@@ -5,6 +5,7 @@ use super::forms::{MAX_LHS, MAX_WORDS};
 use super::hypothesis::MAX_CLAUSES;
 use crate::error::Error;
 use crate::grammar::MAX_CONSTRAINTS;
+use crate::learn::question::MAX_QUESTIONS;
 use crate::learn::tables::memory;
 
 // What lies in the memory and what tells its lengths know each other: the entries of the
@@ -32,6 +33,7 @@ pub(super) const MAX_STEPS: usize = 4;
 /// | `ends`, `failures` | 16 per instance and per observation |
 /// | `hypotheses`, `approximations` | 5760 per step |
 /// | `sample_sets` | 16 per step and 64 observations |
+/// | `trials` | 80 per question |
 /// | `region`, `evidence` | about 4200 |
 /// | `samples`, `observations` | 4 and 56 per observation |
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,10 +55,14 @@ pub struct Capacity {
     /// for where the other forms explain the answers at length or not at all. With zero they
     /// are not.
     pub sums: usize,
+    /// Questions that can be open at once, at most [`MAX_QUESTIONS`]; forgotten ones are among
+    /// them until their place is needed.
+    pub questions: usize,
 }
 
 impl Capacity {
-    /// Room for so many forms and observations, 16 instances, and a single action.
+    /// Room for so many forms and observations, 16 instances, 16 open questions, and a single
+    /// action.
     pub const fn new(forms: usize, observations: usize) -> Capacity {
         Capacity {
             forms,
@@ -65,6 +71,7 @@ impl Capacity {
             instances: 16,
             steps: 1,
             sums: usize::MAX,
+            questions: 16,
         }
     }
 
@@ -165,6 +172,11 @@ impl Capacity {
         self.observations
     }
 
+    /// Questions that are open.
+    pub const fn questions(self) -> usize {
+        self.questions
+    }
+
     /// Hypotheses: a committee for every step.
     pub const fn hypotheses(self) -> usize {
         MEMBERS * self.steps
@@ -199,6 +211,11 @@ impl Capacity {
                 "a learner has room for at most 2048 observations, or 256 in a small build",
             ));
         }
+        if self.questions == 0 || self.questions > MAX_QUESTIONS {
+            return Err(Error::InvalidArgument(
+                "a learner has room for one to 64 open questions",
+            ));
+        }
         Ok(())
     }
 }
@@ -230,6 +247,8 @@ macro_rules! version_space_tables {
             approximations: $crate::learn::version_space::Hypothesis<$real>, approximations;
             /// What was asked and told.
             observations: $crate::learn::Observation, observations;
+            /// Questions that are open.
+            trials: $crate::learn::Trial, questions;
             /// What supports the constraints of the region.
             evidence: $crate::learn::version_space::Evidence, evidence;
             /// Where the region is written.

@@ -74,7 +74,7 @@
 //! | `committee` | the hypotheses that are known, and their votes |
 //! | `selection` | repairing and selecting hypotheses |
 //! | `describe`, `name` | clauses in words of the domain |
-//! | `telling`, `growing` | taking answers in; instances that arrive |
+//! | `open`, `telling`, `growing` | questions that are open; taking answers in; instances that arrive |
 //! | `query/` | which sample to ask about, a file for each strategy |
 //! | `tuning` | all numbers that decide what is learned |
 
@@ -94,6 +94,7 @@ mod improve;
 mod membership;
 mod memory;
 mod name;
+mod open;
 mod quality;
 mod query;
 mod report;
@@ -113,6 +114,7 @@ pub use tuning::Tuning;
 
 use super::log::Observation;
 use super::problem::{Begun, Problem};
+use super::question::{Purpose, Question, Trial};
 use super::{Learner, Outcome, Query};
 use crate::domain::{Domain, MAX_PARAMETERS};
 use crate::error::Error;
@@ -124,7 +126,7 @@ use crate::wire::CHECKSUM;
 use committee::Committee;
 use forms::Forms;
 use selection::Selection;
-use telling::{Purpose, Since, Trial};
+use telling::Since;
 
 /// The sound learner. See the [module](self).
 #[derive(Debug)]
@@ -144,8 +146,10 @@ pub struct VersionSpace<'m, R> {
     selection: Selection,
     observations: Table<'m, Observation>,
     rng: Generator,
-    /// The question that is open.
-    pending: Option<Trial>,
+    /// The questions that are open, in the order in which they were asked.
+    trials: Table<'m, Trial>,
+    /// How many were asked.
+    serial: u32,
     since: Since,
     problem: Option<Begun>,
     /// Instances that were not asked about, if there is nothing else to ask about.
@@ -209,7 +213,8 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             lhs: memory.lhs,
             committee: Committee::new(memory.hypotheses),
             selection: Selection::default(),
-            pending: None,
+            trials: Table::new(memory.trials, "open questions"),
+            serial: 0,
             since: Since::default(),
             problem: None,
             unasked: None,
@@ -258,7 +263,11 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     /// what was asked, so that a run is resumed without asking again.
     fn reseed(&mut self, step: Step) {
         let told = self.observations.len() as u64;
-        self.rng = generator(mixed(self.config.seed, 8 * told + step as u64));
+        let mut seed = mixed(self.config.seed, 8 * told + step as u64);
+        if let (Step::Ask, open @ 1..) = (step, self.open()) {
+            seed = mixed(seed, open.into());
+        }
+        self.rng = generator(seed);
     }
 }
 
@@ -293,20 +302,37 @@ fn needed_lead(noise: f64, factor: f64) -> i32 {
 impl<R: Real> Learner for VersionSpace<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
         self.begin(problem)?;
-        if self.pending.is_none() {
-            self.next_query(problem)?;
+        self.take_answers(problem, true)?;
+        if let Some(open) = self.first_open() {
+            return Ok(*open.query());
         }
-        let pending = self.pending.as_ref().map(|pending| pending.query);
-        pending.ok_or(Error::OutOfSequence("there is nothing to ask"))
+        match self.ask_another(problem)? {
+            Some(question) => Ok(question.query),
+            None if self.is_out_of_calls() => Err(Error::OutOfSequence(
+                "learning is finished: ask for the region",
+            )),
+            None => Err(Error::OutOfSequence("there is nothing to ask")),
+        }
     }
 
     fn tell(&mut self, problem: &Problem<'_>, outcome: Outcome) -> Result<(), Error> {
-        let Some(pending) = self.pending else {
+        let Some(open) = self.first_open() else {
             return Err(Error::OutOfSequence("ask for a sample before telling"));
         };
-        self.begin(problem)?;
-        self.pending = self.take(problem, pending, outcome)?;
-        Ok(())
+        let id = open.question.id;
+        self.answer(problem, id, outcome)
+    }
+
+    fn ask_more(&mut self, problem: &Problem<'_>) -> Result<Option<Question>, Error> {
+        self.ask_another(problem)
+    }
+
+    fn tell_id(&mut self, problem: &Problem<'_>, id: u64, outcome: Outcome) -> Result<(), Error> {
+        self.answer(problem, id, outcome)
+    }
+
+    fn forget(&mut self, id: u64) -> Result<(), Error> {
+        self.give_up(id)
     }
 
     fn observe(
@@ -326,54 +352,52 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         }
         let used = own.theta.get(..parameters.len()).unwrap_or_default();
         problem.domain().check_parameters(used)?;
-        self.take(problem, Trial::new(own, Purpose::Told), outcome)?;
+        self.check_room()?;
+        let trial = Trial::new(Question::new(0, own), Purpose::Told);
+        self.take(problem, trial, outcome)?;
         Ok(())
     }
 
     fn conclude(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
         self.begin(problem)?;
+        self.take_answers(problem, true)?;
         if !self.is_finished() {
-            self.prepare(problem.domain());
+            self.prepare(problem.domain(), self.open());
         }
-        if !self.selection.is_of(self.forms.samples()) {
+        // Where draws are on their way, the region stays what they are drawn from.
+        if self.since.late == 0 && !self.selection.is_of(self.forms.samples()) {
             self.select_again(problem.domain());
         }
         Ok(())
     }
 
-    fn open(&self) -> Option<Observation> {
-        let pending = self.pending?;
-        Some(Observation {
-            notes: pending.purpose as u8,
-            ..Observation::new(&pending.query, Outcome::Unknown).ok()?
-        })
+    fn trials(&self) -> &[Trial] {
+        self.trials.as_slice()
     }
 
-    fn notes(&self) -> u8 {
-        self.since.notes()
+    fn notes(&self) -> (u16, u32) {
+        (self.since.notes(), self.serial)
     }
 
     fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error> {
         self.begin(problem)?;
-        self.take_again(problem, saved)
+        self.serial = self.serial.wrapping_add(u32::from(saved.asked()));
+        self.take_again(problem, saved, 0)
     }
 
-    fn reopen(
-        &mut self,
-        problem: &Problem<'_>,
-        notes: u8,
-        open: Option<&Observation>,
-    ) -> Result<(), Error> {
-        if notes == 0 && open.is_none() {
-            return Ok(());
+    fn reopen(&mut self, problem: &Problem<'_>, (notes, serial): (u16, u32)) -> Result<(), Error> {
+        if notes != 0 {
+            self.begin(problem)?;
+            self.redo(problem.domain(), notes);
         }
-        self.begin(problem)?;
-        self.redo(problem.domain(), notes);
-        if let Some(open) = open {
-            problem.instance(open.instance as usize)?;
-            self.pending = Some(self.trial_of(open)?);
-        }
+        self.serial = serial;
         Ok(())
+    }
+
+    fn restore(&mut self, problem: &Problem<'_>, saved: Trial) -> Result<(), Error> {
+        self.begin(problem)?;
+        problem.instance(saved.query().instance)?;
+        self.restore_trial(saved)
     }
 
     fn is_finished(&self) -> bool {
@@ -406,6 +430,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
             instances: _,
             steps,
             sums: _,
+            questions: _,
         } = self.capacity;
         let sums = self.capacity.sums() as u64;
         for number in [self.config.seed, forms as u64, steps as u64, sums] {

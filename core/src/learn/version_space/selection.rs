@@ -250,6 +250,7 @@ impl<R: Real> VersionSpace<'_, R> {
         if !self.is_written(domain) {
             self.report.certificate = Certificate::default();
             (self.report.found, self.report.inside) = (0, 0);
+            self.outdate_draws();
             self.write_region(domain);
         }
     }

@@ -6,82 +6,35 @@ use super::query::Phase;
 use super::{Step, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
+use crate::learn::question::{Purpose, Question, State, Trial};
 use crate::learn::{Observation, Outcome, Problem, Query};
 use crate::real::Real;
-
-/// A query and what is known of its label.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Trial {
-    pub(super) query: Query,
-    /// How many more outcomes were feasible than infeasible.
-    lead: i32,
-    /// The step that failed last, from one.
-    failed_step: u8,
-    pub(super) purpose: Purpose,
-}
-
-impl Trial {
-    /// A query that nothing is known of.
-    pub(super) fn new(query: Query, purpose: Purpose) -> Trial {
-        Trial {
-            query,
-            lead: 0,
-            failed_step: 1,
-            purpose,
-        }
-    }
-}
-
-/// What a query is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Purpose {
-    /// To tell hypotheses apart.
-    Doubt,
-    /// It is drawn from the region, to certify it.
-    Certify,
-    /// It is drawn from the region, to learn what is wrong with it.
-    Draw,
-    /// It is drawn from everything.
-    Anywhere,
-    /// It was not asked.
-    Told,
-}
 
 /// What a learner did since the last observation. It is kept with the next one, so that a
 /// learner that is resumed does it again.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Since {
-    /// It was prepared for questions, of this phase.
+    /// It is prepared for questions of this phase.
     pub(super) prepared: Option<Phase>,
+    /// It was prepared for those of one before the last, or while no question was open.
+    pub(super) early: bool,
     /// It selected the best hypotheses anew after that.
     pub(super) concluded: bool,
+    /// It was prepared for those of a last phase then, because so many questions were open.
+    pub(super) late: u8,
 }
 
-const PREPARED: u8 = 1 << 3;
-const CONCLUDED: u8 = 1 << 4;
-
-impl Purpose {
-    const ALL: [Purpose; 5] = [
-        Purpose::Doubt,
-        Purpose::Certify,
-        Purpose::Draw,
-        Purpose::Anywhere,
-        Purpose::Told,
-    ];
-
-    /// The purpose in the notes of an observation.
-    fn of_notes(notes: u8) -> Result<Purpose, Error> {
-        let known = Purpose::ALL.get(usize::from(notes & !(PREPARED | CONCLUDED)));
-        known
-            .copied()
-            .ok_or(Error::Corrupt("a saved purpose is none"))
-    }
-}
+const PREPARED: u16 = 1 << 3;
+const CONCLUDED: u16 = 1 << 4;
+/// From this bit on: how many questions were open.
+const LATE: u32 = 5;
 
 impl Since {
-    pub(super) fn notes(self) -> u8 {
+    pub(super) fn notes(self) -> u16 {
         let noted = |done, bit| if done { bit } else { 0 };
-        noted(self.prepared.is_some(), PREPARED) | noted(self.concluded, CONCLUDED)
+        noted(self.early, PREPARED)
+            | noted(self.concluded, CONCLUDED)
+            | u16::from(self.late) << LATE
     }
 }
 
@@ -99,12 +52,12 @@ impl<R: Real> VersionSpace<'_, R> {
         self.check_step(outcome)?;
         let asked = trial.purpose != Purpose::Told;
         let observation = Observation {
-            asked,
-            notes: trial.purpose as u8 | self.since.notes(),
-            ..Observation::new(&trial.query, outcome)?
+            notes: trial.purpose as u16 | self.since.notes(),
+            ..Observation::new(trial.query(), outcome)?
         };
-        self.forms.evaluate_query(problem, &trial.query, self.lhs)?;
-        let settles = self.settles(trial.query.instance);
+        self.forms
+            .evaluate_query(problem, trial.query(), self.lhs)?;
+        let settles = self.settles(trial.query().instance);
         self.observations.push(observation)?;
         // Nothing fails from here on: a call that fails changes nothing.
         self.since = Since::default();
@@ -143,53 +96,98 @@ impl<R: Real> VersionSpace<'_, R> {
         Ok(None)
     }
 
-    /// Does what led to an observation that was taken once, and takes it again.
+    /// Does what led to an observation that was taken once, and takes it again. The first
+    /// `kept` of the open questions stay what they are.
     pub(super) fn take_again(
         &mut self,
         problem: &Problem<'_>,
         saved: &Observation,
+        kept: usize,
     ) -> Result<(), Error> {
         self.redo(problem.domain(), saved.notes);
-        let trial = self.trial_of(saved)?;
+        let place = match saved.asked() {
+            true => self.place_of_query(&saved.query()),
+            false => None,
+        };
+        let known = place.and_then(|place| self.trials.as_slice().get(place));
+        let purpose = match Purpose::of_notes(saved.notes)? {
+            // With other calls it is not time for that: it was another region.
+            Purpose::Certify if !self.certifying => Purpose::Draw,
+            purpose => purpose,
+        };
+        let question = Question::new(0, saved.query());
+        let trial = known.copied().unwrap_or(Trial::new(question, purpose));
+        let trial = Trial { purpose, ..trial };
         let left = self.take(problem, trial, saved.outcome)?;
-        if saved.asked {
-            self.pending = left;
+        self.keep(place, left, kept)
+    }
+
+    /// Keeps what is left of a trial that was taken again.
+    fn keep(
+        &mut self,
+        place: Option<usize>,
+        left: Option<Trial>,
+        kept: usize,
+    ) -> Result<(), Error> {
+        let known = place.and_then(|place| self.trials.as_mut_slice().get_mut(place));
+        match (left, known, place) {
+            (Some(left), Some(known), _) => *known = left,
+            (Some(left), None, _) => self.trials.push(Trial {
+                state: State::Again,
+                ..left
+            })?,
+            // It is about the same sample as one that was decided before.
+            (None, Some(known), Some(place)) if place < kept => known.lead = 0,
+            (None, _, Some(place)) => self.trials.remove(place),
+            (None, ..) => {}
         }
         Ok(())
     }
 
     /// Does what was done before a saved observation, or after the last one.
-    pub(super) fn redo(&mut self, domain: &Domain<'_>, notes: u8) {
+    pub(super) fn redo(&mut self, domain: &Domain<'_>, notes: u16) {
         if notes & PREPARED != 0 {
-            self.prepare(domain);
+            self.prepare(domain, 0);
         }
         if notes & CONCLUDED != 0 {
             self.select_again(domain);
         }
+        if notes >> LATE != 0 {
+            self.prepare(domain, u32::from(notes >> LATE));
+        }
     }
 
-    /// The trial that a saved observation, or a question that is open, belongs to.
-    pub(super) fn trial_of(&self, saved: &Observation) -> Result<Trial, Error> {
-        let query = saved.query();
-        match self.pending {
-            Some(pending) if saved.asked && pending.query == query => Ok(pending),
-            _ => {
-                let purpose = match Purpose::of_notes(saved.notes)? {
-                    // With other calls it is not time for that: it was another region.
-                    Purpose::Certify if !self.certifying => Purpose::Draw,
-                    purpose => purpose,
-                };
-                Ok(Trial::new(query, purpose))
-            }
+    /// Opens a question that was open when a run was saved.
+    pub(super) fn restore_trial(&mut self, saved: Trial) -> Result<(), Error> {
+        let again = self.place_of_query(saved.query());
+        let again = again.filter(|place| {
+            let known = self.trials.as_slice().get(*place);
+            known.is_some_and(|known| known.state == State::Again)
+        });
+        let known = again.and_then(|place| self.trials.as_slice().get(place).copied());
+        let known = known.unwrap_or(saved);
+        if let Some(place) = again {
+            self.trials.remove(place);
         }
+        self.trials.push(Trial {
+            lead: known.lead,
+            failed_step: known.failed_step,
+            ..saved
+        })
+    }
+
+    fn place_of_query(&self, query: &Query) -> Option<usize> {
+        let mut trials = self.trials.as_slice().iter();
+        trials.position(|own| own.query() == query)
     }
 
     /// Whether an outcome in an instance settles it, where there is nothing but instances
     /// to ask about: another one did not before.
     fn settles(&self, instance: usize) -> bool {
-        let open = self.pending.map(|pending| pending.query.instance);
+        let mut trials = self.trials.as_slice().iter();
+        let open = trials.any(|trial| trial.query().instance == instance);
         let mut own = self.observations.as_slice().iter();
-        !own.any(|o| o.instance as usize == instance && !(o.asked && open == Some(instance)))
+        !own.any(|o| o.instance as usize == instance && !(o.asked() && open))
     }
 
     /// Takes a sample whose label is decided; its left sides are in `lhs`.
@@ -197,13 +195,15 @@ impl<R: Real> VersionSpace<'_, R> {
         let feasible = trial.lead > 0;
         let certifies = trial.purpose == Purpose::Certify;
         self.take_in(trial);
-        self.note_influence(&trial.query, feasible);
+        self.note_influence(trial.query(), feasible);
         let moved = self.repair_best();
         self.count(trial);
         if self.approximating {
             return;
         }
-        let refuted = certifies || (self.certifying && moved && trial.purpose == Purpose::Told);
+        // An answer to something else may come while the region is certified, too.
+        let aside = self.certifying && moved && trial.purpose != Purpose::Anywhere;
+        let refuted = certifies || aside;
         match (certifies, feasible) {
             (true, true) => {}
             (_, false) if refuted => {
@@ -221,7 +221,7 @@ impl<R: Real> VersionSpace<'_, R> {
     fn count(&mut self, trial: &Trial) {
         let feasible = trial.lead > 0;
         if trial.purpose == Purpose::Anywhere && feasible {
-            let inside = self.shows(trial.query.instance);
+            let inside = self.shows(trial.query().instance);
             self.report.found += 1;
             self.report.inside += u32::from(inside);
         }
@@ -251,8 +251,7 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Tells the forms of a sample.
     #[inline(never)]
     fn take_in(&mut self, trial: &Trial) {
-        let Query { instance, .. } = trial.query;
-        let source = (instance, trial.purpose != Purpose::Doubt);
+        let source = (trial.query().instance, trial.purpose != Purpose::Doubt);
         if trial.lead > 0 {
             self.report.feasible += 1;
             let steps = self.capacity.steps;
@@ -276,7 +275,7 @@ impl<R: Real> VersionSpace<'_, R> {
         self.influence |= !self.influence && self.observations.as_slice().iter().any(differs);
     }
 
-    fn check_step(&self, outcome: Outcome) -> Result<(), Error> {
+    pub(super) fn check_step(&self, outcome: Outcome) -> Result<(), Error> {
         match outcome {
             Outcome::FailedStep(step) if usize::from(step) > self.capacity.steps => Err(
                 Error::InvalidArgument("the learner has room for fewer steps than this one"),

@@ -4,17 +4,26 @@ use super::Strategy;
 use super::candidate::between;
 use crate::domain::{PointSet, Scene};
 use crate::error::Error;
-use crate::learn::Query;
 use crate::learn::version_space::bound::Bound;
 use crate::learn::version_space::clause::Clause;
 use crate::learn::version_space::forms::tolerance;
+use crate::learn::{MAX_QUESTIONS, Query};
 use crate::random::{Generator, below};
 use crate::real::Real;
 use crate::region::Theta;
+use heapless::Vec;
 
 /// How often the way to a value of a form is halved: to a slot of a millionth of the range,
 /// in double precision.
 const HALVINGS: usize = 36;
+
+/// What is not known of the threshold of a bound, and its width as a share of what it is
+/// measured by.
+struct Gap<R> {
+    from: R,
+    to: R,
+    share: f64,
+}
 
 impl<R: Real> Strategy<'_, '_, R> {
     /// A sample in the middle of the widest gap that is wide, or of the next one if there is no
@@ -22,34 +31,76 @@ impl<R: Real> Strategy<'_, '_, R> {
     #[inline(never)]
     pub(super) fn bisect(&self, rng: &mut Generator, query: &mut Query) -> Result<bool, Error> {
         let mut most = f64::INFINITY;
-        while let Some((share, clause, bound)) = self.widest_gap(most) {
-            if share <= self.forms.tuning().narrow {
+        while let Some((gap, clause, bound)) = self.widest_gap(most) {
+            if gap.share <= self.forms.tuning().narrow {
                 break;
             }
-            let middle = bound.inner + (bound.outer - bound.inner) * R::from_f64(0.5);
+            let middle = gap.from + (gap.to - gap.from) * R::from_f64(0.5);
             if self.at_value((clause, bound), middle, &|_| false, rng, query)? {
                 return Ok(true);
             }
-            most = share;
+            most = gap.share;
         }
         Ok(false)
     }
 
-    /// The bound with the widest gap below a width, as a share of what it is measured by, and
-    /// its clause.
-    fn widest_gap(&self, most: f64) -> Option<(f64, &Clause<R>, &Bound<R>)> {
-        let shares = self.bounds().map(|(clause, bound, width)| {
-            let gap = bound.outer - bound.inner;
+    /// The widest gap below a width, its bound and the clause of that.
+    fn widest_gap(&self, most: f64) -> Option<(Gap<R>, &Clause<R>, &Bound<R>)> {
+        let gaps = self.bounds().map(|(clause, bound, width)| {
+            let [from, to] = self.open_part((clause, bound));
+            let gap = to - from;
             // What is left is rounding.
             let gap = if gap <= tolerance(bound.inner) {
                 R::ZERO
             } else {
                 gap
             };
-            ((gap / width).to_f64(), clause, bound)
+            let share = (gap / width).to_f64();
+            (Gap { from, to, share }, clause, bound)
         });
-        let finite = shares.filter(|(share, ..)| share.is_finite() && *share < most);
-        finite.reduce(|widest, next| if next.0 > widest.0 { next } else { widest })
+        let finite = gaps.filter(|(gap, ..)| gap.share.is_finite() && gap.share < most);
+        finite.reduce(|widest, next| {
+            if next.0.share > widest.0.share {
+                next
+            } else {
+                widest
+            }
+        })
+    }
+
+    /// The widest part of a gap that no open question lies in: each that only this bound
+    /// decides leaves a part on either side.
+    fn open_part(&self, (clause, bound): (&Clause<R>, &Bound<R>)) -> [R; 2] {
+        let mut values: Vec<R, MAX_QUESTIONS> = Vec::new();
+        for query in self.open() {
+            if let Some(value) = self.decided((clause, bound), query) {
+                // There is room for all of them.
+                let _ = values.push(value);
+            }
+        }
+        let mut widest = [bound.inner, bound.inner];
+        let mut from = bound.inner;
+        while from < bound.outer {
+            let next = values.iter().filter(|value| **value > from);
+            let to = next.fold(bound.outer, |least, value| least.min(*value));
+            if to - from > widest[1] - widest[0] {
+                widest = [from, to];
+            }
+            from = to;
+        }
+        widest
+    }
+
+    /// The value of the form of a bound at a sample for which nothing else decides, if there
+    /// is one.
+    #[inline(never)]
+    fn decided(&self, own: (&Clause<R>, &Bound<R>), query: &Query) -> Option<R> {
+        let Query { instance, theta } = query;
+        let values = self.problem.instance(*instance).ok()?;
+        let points = PointSet::all(self.problem.domain());
+        let scene = Scene::new(self.problem.domain(), values, points).ok()?;
+        let value = |other: &Bound<R>| self.forms.value_in(&scene, theta, &other.form, *instance);
+        self.decides(own, &value).then(|| value(own.1))
     }
 
     /// A sample in some instance, not one to skip, at which the form of a bound has a

@@ -2,6 +2,7 @@
 
 use super::Strategy;
 use crate::domain::MAX_PARAMETERS;
+use crate::learn::question::Trial;
 use crate::learn::{Observation, Problem, Query};
 use crate::random::{Generator, below, uniform, uniform_in};
 use crate::real::Real;
@@ -47,6 +48,12 @@ pub(super) fn between(a: &Theta, b: &Theta, share: f64) -> Theta {
 }
 
 impl<R: Real> Strategy<'_, '_, R> {
+    /// The samples of the questions that are open.
+    pub(super) fn open(&self) -> impl Iterator<Item = &Query> {
+        let open = self.open.iter().filter(|trial| trial.is_open());
+        open.map(Trial::query)
+    }
+
     /// Anywhere in the parameter space of some instance.
     pub(super) fn anywhere(&self, rng: &mut Generator) -> Query {
         let instance = below(rng, self.problem.count());
@@ -79,7 +86,7 @@ impl<R: Real> Strategy<'_, '_, R> {
             return None;
         }
         let works = |o: &&Observation| {
-            !o.asked && o.instance as usize == instance && o.outcome.is_feasible()
+            !o.asked() && o.instance as usize == instance && o.outcome.is_feasible()
         };
         let (before, after) = self.split_at_random(rng);
         let told = after.iter().chain(before).find(works);
@@ -115,7 +122,8 @@ impl<R: Real> Strategy<'_, '_, R> {
         let all = (first..count).chain(0..first);
         all.filter(|instance| {
             let mut asked = self.observations.iter();
-            !asked.any(|o| o.instance as usize == *instance)
+            let mut open = self.open().map(|query| query.instance);
+            !asked.any(|o| o.instance as usize == *instance) && !open.any(|own| own == *instance)
         })
     }
 }

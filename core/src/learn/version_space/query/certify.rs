@@ -2,7 +2,8 @@
 
 use crate::domain::Domain;
 use crate::error::Error;
-use crate::learn::version_space::{Purpose, VersionSpace};
+use crate::learn::question::Purpose;
+use crate::learn::version_space::VersionSpace;
 use crate::learn::{Problem, Query};
 use crate::random::below;
 use crate::real::Real;
@@ -46,7 +47,8 @@ impl<R: Real> VersionSpace<'_, R> {
         problem: &Problem<'_>,
         query: &mut Query,
     ) -> Result<Purpose, Error> {
-        let everywhere = self.observations.len().is_multiple_of(JUDGED);
+        let asked = self.observations.len() + self.open() as usize;
+        let everywhere = asked.is_multiple_of(JUDGED);
         match !everywhere && self.draw(problem, query)? {
             true => Ok(Purpose::Certify),
             false => Ok(Purpose::Anywhere),

@@ -5,12 +5,13 @@ use crate::domain::{MAX_PARAMETERS, PointSet, Scene};
 use crate::error::Error;
 use crate::learn::Query;
 use crate::learn::version_space::bound::Bound;
-use crate::learn::version_space::committee::Votes;
+use crate::learn::version_space::committee::{Branches, Votes};
 use crate::random::{Generator, below};
 use crate::real::Real;
 
 impl<R: Real> Strategy<'_, '_, R> {
-    /// The candidate that splits the votes most evenly, of those that are not resolved.
+    /// The candidate that splits the votes most evenly, of those that are not resolved; where
+    /// questions are open, the votes of those who agree about these.
     #[inline(never)]
     pub(super) fn disagree(
         &self,
@@ -21,6 +22,7 @@ impl<R: Real> Strategy<'_, '_, R> {
         let (problem, tuning) = (self.problem, self.forms.tuning());
         let points = PointSet::all(problem.domain());
         let lefts = self.committee.lefts();
+        let branches = self.branches(lhs)?;
         let mut most = 0;
         for _ in 0..tuning.query_instances {
             let instance = below(rng, problem.count());
@@ -33,7 +35,7 @@ impl<R: Real> Strategy<'_, '_, R> {
                     self.between_samples(instance, rng)
                 };
                 self.forms.evaluate(&scene, &theta, lefts, lhs);
-                let disagreement = self.vote(instance, lhs).disagreement();
+                let disagreement = branches.disagreement(self.vote(instance, lhs));
                 if disagreement > most && !self.is_resolved(instance, lhs) {
                     most = disagreement;
                     *query = Query { instance, theta };
@@ -53,7 +55,8 @@ impl<R: Real> Strategy<'_, '_, R> {
         query: &mut Query,
     ) -> Result<bool, Error> {
         let theta = [0.0; MAX_PARAMETERS];
-        let mut best: Option<(usize, usize)> = None;
+        let branches = self.branches(lhs)?;
+        let mut best: Option<(u32, usize)> = None;
         for instance in self.unasked(rng) {
             let own = Query { instance, theta };
             self.forms.evaluate_query(self.problem, &own, lhs)?;
@@ -61,12 +64,23 @@ impl<R: Real> Strategy<'_, '_, R> {
                 let value = self.forms.value(&bound.form, instance, lhs);
                 bound.inner < value && value < bound.outer
             });
-            let score = (self.vote(instance, lhs).disagreement(), open.count());
+            let disagreement = branches.disagreement(self.vote(instance, lhs));
+            let score = (disagreement, open.count());
             if best.is_none_or(|most| score > most) {
                 (best, *query) = (Some(score), own);
             }
         }
         Ok(best.is_some())
+    }
+
+    /// How the answers to the open questions will divide the committee.
+    fn branches(&self, lhs: &mut [R]) -> Result<Branches, Error> {
+        let mut branches = Branches::ONE;
+        for query in self.open() {
+            self.forms.evaluate_query(self.problem, query, lhs)?;
+            branches.split(self.vote(query.instance, lhs));
+        }
+        Ok(branches)
     }
 
     fn vote(&self, instance: usize, lhs: &[R]) -> Votes {

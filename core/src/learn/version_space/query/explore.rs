@@ -3,8 +3,8 @@
 use super::Strategy;
 use crate::domain::{PointSet, Scene};
 use crate::error::Error;
-use crate::learn::Query;
 use crate::learn::version_space::bound::Bound;
+use crate::learn::{Observation, Query};
 use crate::random::{Generator, below};
 use crate::real::Real;
 use rand_core::Rng;
@@ -73,14 +73,15 @@ impl<R: Real> Strategy<'_, '_, R> {
         clauses.filter(|(_, clause)| !clause.admits(value)).count()
     }
 
-    /// The squared distance to the nearest sample of the instance, in units of the
+    /// The squared distance to the nearest sample of the instance, told or asked, in units of the
     /// ranges of the parameters.
     #[inline(never)]
     fn distance(&self, query: &Query) -> f64 {
-        let own = self.observations.iter();
-        let own = own.filter(|o| o.instance as usize == query.instance);
-        let apart = own.map(|o| {
-            let pairs = o.theta.iter().zip(&query.theta);
+        let told = self.observations.iter().map(Observation::query);
+        let known = told.chain(self.open().copied());
+        let own = known.filter(|own| own.instance == query.instance);
+        let apart = own.map(|own| {
+            let pairs = own.theta.iter().zip(&query.theta);
             let pairs = pairs.zip(self.problem.domain().parameters());
             let squares = pairs.map(|((a, b), p)| {
                 let share = (a - b) / (p.high - p.low);

@@ -24,9 +24,10 @@ use super::bound::Bound;
 use super::clause::Clause;
 use super::committee::Committee;
 use super::forms::{Forms, StepView, tolerance};
-use super::{Purpose, Step, Trial, VersionSpace};
+use super::{Step, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
+use crate::learn::question::{Purpose, Trial};
 use crate::learn::{Observation, Problem, Query};
 use crate::random::{Generator, uniform};
 use crate::real::Real;
@@ -44,6 +45,13 @@ pub(super) enum Phase {
     Certify,
 }
 
+impl Phase {
+    /// Whether the region stays what it is, as long as it is as good as it seems.
+    fn is_last(self) -> bool {
+        matches!(self, Phase::Judge | Phase::Certify)
+    }
+}
+
 /// What is known when a query is chosen.
 struct Strategy<'s, 'm, R> {
     problem: &'s Problem<'s>,
@@ -52,6 +60,8 @@ struct Strategy<'s, 'm, R> {
     observations: &'s [Observation],
     /// Whether there are some among them that were not asked.
     observed: bool,
+    /// The questions that are open.
+    open: &'s [Trial],
 }
 
 impl<R: Real> Strategy<'_, '_, R> {
@@ -97,16 +107,22 @@ impl<R: Real> Strategy<'_, '_, R> {
 }
 
 impl<'m, R: Real> VersionSpace<'m, R> {
-    /// Brings what is known up to date for the next questions, once after an answer. All
-    /// that choosing them changes happens here, but for a selection by
-    /// [`VersionSpace::select_again`].
+    /// Brings what is known up to date for the next questions, once after an answer, and once
+    /// more if so many are open that the last phase begins. All that choosing them changes
+    /// happens here, but for a selection by [`VersionSpace::select_again`].
     #[inline(never)]
-    pub(super) fn prepare(&mut self, domain: &Domain<'_>) -> Phase {
-        if let Some(phase) = self.since.prepared {
-            return phase;
+    pub(super) fn prepare(&mut self, domain: &Domain<'_>, open: u32) -> Phase {
+        let phase = self.phase(open);
+        let late = open > 0 && phase.is_last();
+        match self.since.prepared {
+            Some(known) if !late || known.is_last() => return known,
+            _ => {}
+        }
+        match late {
+            true => self.since.late = open as u8,
+            false => self.since.early = true,
         }
         self.reseed(Step::Prepare);
-        let phase = self.phase();
         match phase {
             Phase::Search => {}
             Phase::Judge => self.prepare_to_judge(domain),
@@ -120,36 +136,29 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         phase
     }
 
-    fn phase(&self) -> Phase {
+    /// What the next question is about while so many are open.
+    fn phase(&self, open: u32) -> Phase {
         if self.report.feasible == 0 || self.report.infeasible == 0 {
             return Phase::Search;
         }
-        let certifies = self.calls_left() <= self.certify_from && self.is_explained();
+        let left = self.calls_left().saturating_sub(open);
+        let certifies = left <= self.certify_from && self.is_explained();
         match self.approximating {
-            true if self.calls_left() <= self.judge_from() => Phase::Judge,
+            true if left <= self.judge_from() => Phase::Judge,
             false if certifies => Phase::Certify,
             _ => Phase::Doubt,
         }
     }
 
-    /// Chooses what is pending.
+    /// The next question; none if there is nothing but what is open already.
     #[inline(never)]
-    pub(super) fn next_query(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
-        if self.is_out_of_calls() {
-            return Err(Error::OutOfSequence(
-                "learning is finished: ask for the region",
-            ));
-        }
-        let phase = self.prepare(problem.domain());
+    pub(super) fn next_query(
+        &mut self,
+        problem: &Problem<'_>,
+    ) -> Result<Option<(Query, Purpose)>, Error> {
+        let phase = self.prepare(problem.domain(), self.open());
         self.reseed(Step::Ask);
-        let mut rng = self.rng.clone();
-        let mut query = self.strategy(problem).0.anywhere(&mut rng);
-        self.rng = rng;
-        if self.unasked.is_some()
-            && let Some(instance) = self.unasked_instance(problem)
-        {
-            query.instance = instance;
-        }
+        let mut query = self.anywhere(problem);
         let purpose = match phase {
             Phase::Search => Purpose::Anywhere,
             Phase::Judge => self.judge(problem, &mut query)?,
@@ -159,8 +168,26 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             },
             Phase::Doubt => self.doubt(problem, &mut query)?,
         };
-        self.pending = Some(Trial::new(query, purpose));
-        Ok(())
+        if !self.is_asked(&query) {
+            return Ok(Some((query, purpose)));
+        }
+        query = self.anywhere(problem);
+        let new = !self.is_asked(&query);
+        Ok(new.then_some((query, Purpose::Anywhere)))
+    }
+
+    /// Anywhere, in an instance that was not asked about if there is nothing else to ask about.
+    #[inline(never)]
+    fn anywhere(&mut self, problem: &Problem<'_>) -> Query {
+        let mut rng = self.rng.clone();
+        let mut query = self.strategy(problem).0.anywhere(&mut rng);
+        self.rng = rng;
+        if self.unasked.is_some()
+            && let Some(instance) = self.unasked_instance(problem)
+        {
+            query.instance = instance;
+        }
+        query
     }
 
     /// What tells hypotheses apart, or looks for what nobody suspects; the query stays
@@ -229,6 +256,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             committee: &self.committee,
             observations: self.observations.as_slice(),
             observed: self.report.observed > 0,
+            open: self.trials.as_slice(),
         };
         (strategy, self.lhs)
     }

@@ -31,7 +31,8 @@ impl<R: Real> Strategy<'_, '_, R> {
                 let value = self.forms.value_at(&bound.form, *sample);
                 self.forms.instance_of(*sample) == instance && low <= value && value <= high
             };
-            (0..self.forms.samples()).any(|sample| near(&sample))
+            let open = self.open().any(|query| query.instance == instance);
+            open || (0..self.forms.samples()).any(|sample| near(&sample))
         };
         self.at_value((clause, bound), value, &probed, rng, query)
     }
