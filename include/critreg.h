@@ -553,7 +553,7 @@
  * Bytes of a learner that do not depend on its capacity, on a machine with
  * pointers of 32 bits; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_LEARNER_FIXED_BYTES 21504
+#define CRITREG_LEARNER_FIXED_BYTES 22700
 
 /**
  * Bytes of a region, on a machine with pointers of 32 bits; for
@@ -572,6 +572,12 @@
  * CRITREG_LEARNER_WORDS.
  */
 #define CRITREG_OBSERVATION_BYTES 76
+
+/**
+ * Bytes of a question that can be open, of which CRITREG_LEARNER_WORDS has
+ * CRITREG_DEFAULT_QUESTIONS.
+ */
+#define CRITREG_QUESTION_BYTES 88
 
 /**
  * Bytes of a feature, apart from its values in the instances; for
@@ -780,6 +786,16 @@
  * Problem instances a learner has room for unless the configuration tells.
  */
 #define CRITREG_DEFAULT_INSTANCES 16
+
+/**
+ * Questions that can be open at once unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_QUESTIONS 16
+
+/**
+ * Most questions that can be open at once.
+ */
+#define CRITREG_MAX_QUESTIONS 64
 
 /**
  * Most steps of a sequence of actions.
@@ -1257,6 +1273,12 @@ typedef struct critreg_config {
      * such region, and spends a quarter of the calls to estimate how good it is. Default 0.95.
      */
     double precision_wanted;
+    /**
+     * CRITREG_VERSION_SPACE: questions that can be open at once, from 1 to
+     * CRITREG_MAX_QUESTIONS; see critreg_ask_many(). Default CRITREG_DEFAULT_QUESTIONS; for
+     * each one more critreg_learner_size() tells CRITREG_QUESTION_BYTES more.
+     */
+    uint32_t questions;
 } critreg_config;
 
 /**
@@ -2180,6 +2202,106 @@ critreg_status critreg_tell(struct critreg_learner *learner,
                             const double *instances,
                             size_t count,
                             critreg_outcome outcome);
+
+/**
+ * Asks for several samples at once, for as many workers: threads, processes, robots. Each
+ * has an id, by which critreg_tell_id() knows it. They are chosen to be good together: each
+ * for what is left whichever answers the open ones get. No two open questions are about the
+ * same sample.
+ *
+ * It never waits. It gives fewer questions than wanted, or none, if no more are worth asking
+ * before an answer comes: the calls that are left are all asked for, or
+ * critreg_config.questions are open. With CRITREG_ALGORITHM1 there is one at a time.
+ *
+ * ```c
+ * while (critreg_is_finished(learner, &finished) == CRITREG_OK && !finished) {
+ *     CHECK(critreg_ask_many(learner, instances, count, idle_workers(), ids, numbers, thetas,
+ *                            &given));
+ *     for (size_t i = 0; i < given; ++i)
+ *         start_worker(ids[i], numbers[i], &thetas[i * PARAMETERS]);
+ *     wait_for_a_worker(&id, &outcome);
+ *     CHECK(critreg_tell_id(learner, instances, count, id, outcome));
+ * }
+ * ```
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @param wanted How many questions there is room for.
+ * @param ids Receives the id of each.
+ * @param instance_numbers Receives the index of the instance to try each in.
+ * @param thetas Receives the parameters of each, one sample behind the other. NULL if there
+ * are none.
+ * @param given Receives how many questions there are; 0 also if learning is finished.
+ * @return As critreg_ask(), where that is not finished. If it fails, questions that were
+ * asked on the way are open: critreg_open_questions().
+ */
+critreg_status critreg_ask_many(struct critreg_learner *learner,
+                                const double *instances,
+                                size_t count,
+                                size_t wanted,
+                                uint64_t *ids,
+                                size_t *instance_numbers,
+                                double *thetas,
+                                size_t *given);
+
+/**
+ * Tells the learner what came of a question, in any order. What it learns does not depend on
+ * the order in which answers come between two calls of critreg_ask() or critreg_ask_many():
+ * the answer to a question before which others are open waits for these, at most until the
+ * learner asks next or critreg_conclude() is called. What critreg_learner_report() and
+ * critreg_learner_region() tell is without it until then. Among questions that
+ * critreg_observe() comes in between, the order of that does matter.
+ *
+ * CRITREG_UNKNOWN teaches nothing, and the learner asks something else next.
+ *
+ * @param learner The learner.
+ * @param instances The problem instances, as for critreg_ask().
+ * @param count How many there are.
+ * @param id The id of the question.
+ * @param outcome What came of it.
+ * @return CRITREG_OUT_OF_SEQUENCE if no question with this id waits for an answer, since it
+ * was told, or forgotten so long ago that its place was needed: critreg_observe() takes it
+ * then; and as critreg_tell(). If it fails, the question still waits.
+ */
+critreg_status critreg_tell_id(struct critreg_learner *learner,
+                               const double *instances,
+                               size_t count,
+                               uint64_t id,
+                               critreg_outcome outcome);
+
+/**
+ * Waits no longer for the answer to a question: its worker was lost, or is too slow. Its
+ * sample may be asked about again, with another id. An answer that comes all the same is
+ * taken: it is a fact about the world.
+ *
+ * @param learner The learner.
+ * @param id The id of the question.
+ * @return CRITREG_OUT_OF_SEQUENCE if no question with this id waits for an answer;
+ * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_forget(struct critreg_learner *learner,
+                              uint64_t id);
+
+/**
+ * Tells which questions are open, in the order in which they were asked; for a run that was
+ * resumed with critreg_learner_resume(), to hand them to its workers again.
+ *
+ * @param learner The learner.
+ * @param wanted How many questions there is room for.
+ * @param ids Receives the id of each.
+ * @param instance_numbers Receives the index of the instance to try each in.
+ * @param thetas Receives the parameters of each, one sample behind the other. NULL if there
+ * are none.
+ * @param given Receives how many were written.
+ * @return CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_open_questions(struct critreg_learner *learner,
+                                      size_t wanted,
+                                      uint64_t *ids,
+                                      size_t *instance_numbers,
+                                      double *thetas,
+                                      size_t *given);
 
 /**
  * Whether there is nothing more to ask.

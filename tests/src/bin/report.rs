@@ -7,6 +7,9 @@
 //! How often the learners find the true region:
 //! `report -- <what> [--seeds N] [--calls N] [--instances N]`.
 //!
+//! What answers cost that come late, from several workers:
+//! `report -- parallel [--seeds N] [--first N]`.
+//!
 //! How much the numbers matter that decide what is learned:
 //! `report -- sensitivity [--seeds N] [--first N] [--only <part of a name>]`.
 
@@ -16,6 +19,7 @@ use std::process::ExitCode;
 const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n       report pddl <folder>\n       report \
      <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
      [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]\n       report \
+     parallel [--seeds N] [--first N]\n       report \
      sensitivity [--seeds N] [--first N] [--only <part of a name>]";
 
 struct Options {
@@ -49,7 +53,7 @@ fn main() -> ExitCode {
             }
         };
     }
-    let done = sensitivity().or_else(|| options().as_ref().map(print));
+    let done = seeded().or_else(|| options().as_ref().map(print));
     match done {
         Some(()) => ExitCode::SUCCESS,
         None => {
@@ -59,10 +63,10 @@ fn main() -> ExitCode {
     }
 }
 
-/// Prints the report about numbers, if it is asked for.
-fn sensitivity() -> Option<()> {
+/// Prints a report that takes seeds and the first of them, if it is asked for.
+fn seeded() -> Option<()> {
     let mut arguments = std::env::args().skip(1);
-    arguments.next().filter(|name| name == "sensitivity")?;
+    let name = arguments.next()?;
     let (mut seeds, mut first, mut only) = (20, 0, String::new());
     while let Some(flag) = arguments.next() {
         let value = arguments.next()?;
@@ -73,7 +77,11 @@ fn sensitivity() -> Option<()> {
             _ => return None,
         }
     }
-    report::sensitivity(seeds, first, &only);
+    match name.as_str() {
+        "sensitivity" => report::sensitivity(seeds, first, &only),
+        "parallel" => report::parallel(seeds, first),
+        _ => return None,
+    }
     Some(())
 }
 

@@ -3,6 +3,7 @@
 mod domains;
 mod judge;
 mod judged;
+mod parallel;
 mod pddl;
 mod row;
 mod runs;
@@ -15,6 +16,7 @@ mod table;
 
 pub use domains::{NAMES as DOMAINS, print as domains, train, training};
 pub use judge::{Score, Truth};
+pub use parallel::print as parallel;
 pub use pddl::pddl;
 pub use runs::{LEARNERS, for_seeds, run_seed};
 pub use scenario::{Scenario, angles, chain, noise, pick};

@@ -118,28 +118,43 @@ fn run<L: Learner>(
     truth: &Truth,
     seed: u64,
 ) -> Run {
-    let domain = problem.domain();
-    // The regions on the way, each with the number of calls it took.
-    let mut regions: Vec<(u32, Option<Region>)> = Vec::new();
+    let mut course = Course::default();
     ask_and_tell(&mut learner, scenario, problem, seed, |calls, learner| {
+        course.note(calls, learner);
+    });
+    course.judged(problem.domain(), truth)
+}
+
+/// The regions of a learner on the way, each with the number of calls it took.
+#[derive(Default)]
+pub(super) struct Course(Vec<(u32, Option<Region>)>);
+
+impl Course {
+    /// Notes the region that there is after so many calls.
+    pub(super) fn note(&mut self, calls: u32, learner: &(impl Learner + ?Sized)) {
         let region = match learner.region() {
             Ok(region) => Some(region.clone()),
             Err(Error::NoRegion) => None,
             Err(error) => panic!("{error}"),
         };
-        if regions.last().is_none_or(|(_, last)| *last != region) {
-            regions.push((calls, region));
+        if self.0.last().is_none_or(|(_, last)| *last != region) {
+            self.0.push((calls, region));
         }
-    });
-    let last = regions.last().and_then(|(_, region)| region.clone());
-    let Some(last) = last else {
-        return Run::default();
-    };
-    let score = truth.full_score(domain, &last);
-    Run {
-        region: Some(text::of_region(domain, &last)),
-        score,
-        calls_to_exact: calls_to_exact(domain, truth, &regions).filter(|_| score.is_exact()),
+    }
+
+    /// What came of it.
+    pub(super) fn judged(&self, domain: &Domain<'_>, truth: &Truth) -> Run {
+        let last = self.0.last().and_then(|(_, region)| region.clone());
+        let Some(last) = last else {
+            return Run::default();
+        };
+        let score = truth.full_score(domain, &last);
+        let calls_to_exact = calls_to_exact(domain, truth, &self.0);
+        Run {
+            region: Some(text::of_region(domain, &last)),
+            score,
+            calls_to_exact: calls_to_exact.filter(|_| score.is_exact()),
+        }
     }
 }
 
