@@ -14,7 +14,7 @@ top=$(cd "$here/../.." && pwd)
 # A project of its own: a copy of a folder here, beside the programs.
 project() {
     mkdir "$scratch/$1"
-    cp "$here/$1"/* "$here"/consumer.* "$scratch/$1"
+    cp "$here/$1"/* "$here"/consumer* "$scratch/$1"
     cd "$scratch/$1"
 }
 
@@ -59,6 +59,8 @@ with_pkg_config() {
     refused pkg-config --exists 'critreg >= 0.2'
     make WANTED='>= 0.1' >log || fail "$(cat log)"
     all_run .
+    make ompl >log || fail "$(cat log)"
+    LD_LIBRARY_PATH=$libdir ./ompl || fail "OMPL draws from somewhere else"
 }
 
 refused() {
@@ -92,4 +94,4 @@ left=$(find "$prefix" ! -type d)
 # Nothing was built for it, so nothing is installed.
 refused make -s -C "$top" install DESTDIR="$scratch/root" CARGO_BUILD_TARGET=mips-unknown-none
 
-echo "installed, found, linked and removed: CMake, Meson, pkg-config; C, C++; shared, static"
+echo "installed, found, linked and removed: CMake, Meson, pkg-config, OMPL; C, C++; shared, static"
