@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -131,6 +132,15 @@ static critreg::Region learned() {
     });
 }
 
+// Why a region admits nothing in an instance.
+static std::string why_not(const critreg::Region &region, const std::vector<double> &instance) {
+    for (const critreg::Constraint &constraint : region.constraints()) {
+        const auto alone = critreg::Region::parse(DOMAIN_TEXT, constraint.text);
+        if (alone.intervals(instance).empty()) return "nowhere here: " + constraint.text;
+    }
+    return "no place satisfies all of: " + region.text();
+}
+
 struct Counts {
     int solved = 0, tried = 0;      // tasks, and goals that were drawn for them
 };
@@ -181,6 +191,8 @@ int main() {
         for (int i = 0; i <= 1000 && !works; i++)
             works = task.reach(i / 1000.0, joints) && task.is_free(joints);
         possible += works;
+        if (region.intervals(task.instance()).empty())
+            std::printf("task %d: %s\n", drawn, why_not(region, task.instance()).c_str());
         plan(task, region.handle(), by_region);
         if (works) plan(task, anywhere.handle(), by_rejection);
     }

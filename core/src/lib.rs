@@ -109,3 +109,8 @@ pub mod text;
 mod wire;
 
 pub use error::{Error, SyntaxError};
+
+/// The program of the README is compiled and run with those of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

@@ -20,16 +20,8 @@ for library in libcritreg.a libcritreg.so; do
     [ "$machines" = AArch64 ] || fail "$library is for $machines"
 done
 
-# The first block of a kind in the README.
-block() {
-    awk -v first="$1" '$0 == first { inside = 1; next } /^```$/ && inside { exit } inside' \
-        "$top/README.md"
-}
-
-block '```c' >"$scratch/grasp.c"
-expected=$(awk '/^It prints/ { found = 1 } found' "$top/README.md" |
-    awk '/^```$/ { if (inside) exit; inside = 1; next } inside')
-[ -n "$expected" ] || fail "the README does not tell what its program prints"
+readme_block '```c' >"$scratch/grasp.c"
+expected=$(readme_block '```' '^It prints')
 cd "$scratch"
 for linked in -lcritreg -l:libcritreg.a; do
     aarch64-linux-gnu-gcc -std=c99 -I"$prefix/include" grasp.c -L"$prefix/lib" $linked -lm -o grasp

@@ -20,3 +20,15 @@ says() {
 no_rust() {
     CARGO=false RUSTC=false "$@"
 }
+
+# The first block of the README that opens with a line, behind a line with a pattern.
+readme_block() {
+    # shellcheck disable=SC2154 # the top of the repository, which every script here knows
+    block=$(awk -v opening="$1" -v behind="${2:-}" '
+        $0 ~ behind { found = 1 }
+        inside && /^```$/ { exit }
+        inside { print }
+        found && $0 == opening { inside = 1 }' "$top/README.md")
+    [ -n "$block" ] || fail "the README has no block $1"
+    printf '%s\n' "$block"
+}
