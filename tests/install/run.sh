@@ -82,6 +82,15 @@ with_cmake
 with_meson
 with_pkg_config
 
+# As colcon does in a ROS 2 workspace; with what was built above.
+cmake -S "$top/ffi/package" -B "$scratch/colcon" -DCMAKE_INSTALL_PREFIX="$scratch/workspace" \
+    -DCARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$top/target}" >log
+{ cmake --build "$scratch/colcon" && cmake --install "$scratch/colcon"; } >log || fail "$(cat log)"
+for file in lib/libcritreg.so share/critreg/package.xml \
+    share/ament_index/resource_index/packages/critreg; do
+    [ -e "$scratch/workspace/$file" ] || fail "no $file in the workspace"
+done
+
 for file in LICENSE-MIT LICENSE-APACHE THIRD_PARTY; do
     [ -s "$prefix/share/doc/critreg/$file" ] || fail "no $file"
 done
