@@ -24,6 +24,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,10 @@ public:
         std::size_t len = 0, count = 0;
         check(critreg_region_instance_len(region, &len));
         check(critreg_region_parameter_count(region, &count));
-        check(len == instance_.size() ? CRITREG_OK : CRITREG_INVALID_ARGUMENT);
+        if (len != instance_.size())
+            throw ompl::Exception("critreg", "the instance has " + std::to_string(instance_.size())
+                                                 + " numbers, and the region speaks of "
+                                                 + std::to_string(len));
         theta_.resize(count);
     }
 
@@ -115,10 +119,10 @@ public:
             if (drawn_.size() < KEPT) drawn_.push_back(si_->cloneState(state));
             return;
         }
-        std::vector<double> nowhere;
-        si_->getStateSpace()->copyToReals(nowhere, state);
-        std::fill(nowhere.begin(), nowhere.end(), std::numeric_limits<double>::infinity());
-        si_->getStateSpace()->copyFromReals(state, nowhere);
+        const auto &space = si_->getStateSpace();
+        space->copyFromReals(state,
+                             std::vector<double>(space->getValueLocations().size(),
+                                                 std::numeric_limits<double>::infinity()));
     }
 
     /** 0 where it is proven that the region is empty. */
@@ -155,9 +159,12 @@ public:
     RegionSampler(const ompl::base::StateSpace *space, GroundedRegion region, double share)
         : StateSampler(space), region_(std::move(region)), share_(share),
           uniform_(space->allocDefaultStateSampler()) {
-        if (space->getValueLocations().size() != region_.parameter_count())
-            throw ompl::Exception("critreg", "the space has not as many values as the region "
-                                             "has parameters; was setup() called?");
+        const std::size_t values = space->getValueLocations().size();
+        if (values != region_.parameter_count())
+            throw ompl::Exception("critreg", "a state has " + std::to_string(values)
+                                                 + " values (none before setup()), and the action "
+                                                 + std::to_string(region_.parameter_count())
+                                                 + " parameters");
     }
 
     void sampleUniform(ompl::base::State *state) override {

@@ -14,7 +14,7 @@ top=$(cd "$here/../.." && pwd)
 # A project of its own: a copy of a folder here, beside the programs.
 project() {
     mkdir "$scratch/$1"
-    cp "$here/$1"/* "$here"/consumer* "$scratch/$1"
+    cp "$here/$1"/* "$here"/consumer.* "$scratch/$1"
     cd "$scratch/$1"
 }
 
@@ -59,8 +59,13 @@ with_pkg_config() {
     refused pkg-config --exists 'critreg >= 0.2'
     make WANTED='>= 0.1' >log || fail "$(cat log)"
     all_run .
-    make ompl >log || fail "$(cat log)"
-    LD_LIBRARY_PATH=$libdir ./ompl || fail "OMPL draws from somewhere else"
+}
+
+with_ompl() {
+    project ompl
+    make sampler goal >log 2>&1 || fail "$(cat log)"
+    LD_LIBRARY_PATH=$libdir ./sampler || fail "OMPL draws from somewhere else"
+    LD_LIBRARY_PATH=$libdir ./goal || fail "OMPL has another goal"
 }
 
 refused() {
@@ -81,6 +86,7 @@ draw=0.1259
 with_cmake
 with_meson
 with_pkg_config
+with_ompl
 
 # As colcon does in a ROS 2 workspace; with what was built above.
 cmake -S "$top/ffi/package" -B "$scratch/colcon" -DCMAKE_INSTALL_PREFIX="$scratch/workspace" \
