@@ -73,7 +73,7 @@ INSTALLED := $(addprefix $(INCLUDEDIR)/,$(notdir $(HEADERS))) \
 below_prefix = $(patsubst $(PREFIX)/%,$(1)/%,$(2))
 EMPTY :=
 UP := $(subst $(EMPTY) $(EMPTY),/,$(patsubst %,..,$(subst /, ,$(LIBDIR:$(PREFIX)/%=%))))
-FROM_LIBDIR := $(if $(filter $(PREFIX)/%,$(LIBDIR)),$${libdir}/$(UP),$(PREFIX))
+FROM_LIBDIR := $(if $(filter $(PREFIX)/%,$(LIBDIR)),$${_critreg_libdir}/$(UP),$(PREFIX))
 FILL := sed -e 's|@PREFIX@|$(PREFIX)|g' \
 	-e 's|@LIBDIR@|$(call below_prefix,$${prefix},$(LIBDIR))|g' \
 	-e 's|@INCLUDEDIR@|$(call below_prefix,$${prefix},$(INCLUDEDIR))|g' \

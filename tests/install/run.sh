@@ -31,8 +31,8 @@ all_run() {
 
 with_cmake() {
     project cmake
-    for wanted in 0 0.1 0.1.0; do
-        cmake -S . -B build -DWANTED=$wanted -DCMAKE_PREFIX_PATH="$prefix" >log || fail "$(cat log)"
+    for wanted in "" 0 0.1 0.1.0; do
+        cmake -S . -B build -DWANTED="$wanted" -DCMAKE_PREFIX_PATH="$prefix" >log || fail "$(cat log)"
         rm -r build/CMakeCache.txt
     done
     for wanted in 0.0 0.1.1 0.2 1; do
