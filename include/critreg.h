@@ -538,11 +538,57 @@
     ((CRITREG_REGION_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)) / 8)
 
 /**
- * The version of this interface. It changes when a program has to be compiled
- * again; compare it with critreg_abi_version() when the library is loaded at
- * run time.
+ * The version of the binary interface, and the number in the name of the shared library,
+ * libcritreg.so.0. It changes when a program has to be compiled again; compare it with
+ * critreg_abi_version() when the library is loaded at run time.
  */
 #define CRITREG_ABI_VERSION 0
+
+/**
+ * The version of this header. The library that runs may be another one: see
+ * critreg_version(). What may change when stands in ffi/README.md.
+ */
+#define CRITREG_VERSION_MAJOR 0
+
+/**
+ * The second number of it.
+ */
+#define CRITREG_VERSION_MINOR 1
+
+/**
+ * The third number of it.
+ */
+#define CRITREG_VERSION_PATCH 0
+
+/**
+ * Of critreg_capabilities(): CRITREG_F64, learning and drawing with double.
+ */
+#define CRITREG_HAS_F64 (1 << 0)
+
+/**
+ * CRITREG_F32, learning and drawing with float.
+ */
+#define CRITREG_HAS_F32 (1 << 1)
+
+/**
+ * The roots and sines of CRITREG_F32 come from micromath: smaller, and good to three digits.
+ */
+#define CRITREG_HAS_MICROMATH (1 << 2)
+
+/**
+ * CRITREG_ALGORITHM1, the learner of the thesis.
+ */
+#define CRITREG_HAS_ALGORITHM1 (1 << 3)
+
+/**
+ * Learners with up to 2048 observations; without it, 256.
+ */
+#define CRITREG_HAS_MANY_OBSERVATIONS (1 << 4)
+
+/**
+ * Bodies with sizes, and the relations between them; without it, a shape has key points only.
+ */
+#define CRITREG_HAS_BODIES (1 << 5)
 
 /**
  * Longest domain text in bytes, with its NUL.
@@ -1934,6 +1980,21 @@ extern "C" {
  * The CRITREG_ABI_VERSION of the library that runs.
  */
 uint32_t critreg_abi_version(void);
+
+/**
+ * The version of the library that runs, such as "0.1.0".
+ *
+ * @return A static text, never NULL.
+ */
+const char *critreg_version(void);
+
+/**
+ * What the library that runs was built with; everything unless someone left it out. What
+ * is not there is refused where it is asked for. Bits that are not named here are 0.
+ *
+ * @return CRITREG_HAS_F64 and its like, combined with or.
+ */
+uint32_t critreg_capabilities(void);
 
 /**
  * What a status means, in a few words of English.

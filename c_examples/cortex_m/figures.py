@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Measures what critreg takes on a Cortex-M4 and compares it with the README.
+"""Measures what critreg takes on a Cortex-M4 and compares it with README.md.
 
     figures.py            fails if a figure grew by more than 5%
-    figures.py --update   writes the figures into the README
+    figures.py --update   writes the figures into README.md
 """
 
 import pathlib
@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-README = HERE.parent.parent / "README.md"
+README = HERE / "README.md"
 BEGIN, END = "<!-- figures -->\n", "<!-- end of figures -->\n"
 GROWTH = 1.05
 
@@ -92,7 +92,7 @@ def main():
         return
     old, new = read(committed), read(new)
     if old.keys() != new.keys():
-        sys.exit("the README has other figures; figures.py --update writes these")
+        sys.exit("README.md has other figures; figures.py --update writes these")
     grown = [key for key in new if new[key] > GROWTH * old[key]]
     for title, name in grown:
         print(f"grew: {title}, {name}: {old[title, name]} -> {new[title, name]}")

@@ -4,7 +4,8 @@
 //! continuous parameters (where along the stick), simulates, fails and draws
 //! again. critreg learns the **action-feasibility region** instead: a few readable
 //! inequalities, from which the planner then samples. The method is that of a
-//! bachelor thesis (Aachen 2025), cited here as "thesis".
+//! bachelor thesis, "Learning Critical Regions via Feasibility Constraints in Task and
+//! Motion Planning" (Aachen, 2025), cited here as "thesis".
 //!
 //! The crate needs no operating system and no heap, has no unsafe code, and does
 //! not panic: what cannot be done comes back as an [`Error`].
@@ -109,3 +110,8 @@ pub mod text;
 mod wire;
 
 pub use error::{Error, SyntaxError};
+
+/// The program of the README is compiled and run with those of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Checks all features on all targets that the README names. A check finds what can
-# be missing there: a type, a feature, a panic handler. That it links is the matter of
+# Checks all features on all targets that c_examples/cortex_m/README.md names. A check finds
+# what can be missing there: a type, a feature, a panic handler. That it links is the matter of
 # link.sh and of the board.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)

@@ -12,6 +12,7 @@
 //! | [`memory`] | the parts of a handle, in the caller's memory |
 //! | [`precision`] | what numbers are computed with |
 //! | [`rng`] | random numbers by value |
+//! | [`version`] | which version of the library this is, and what it was built with |
 
 pub(crate) mod handle;
 pub mod limits;
@@ -22,3 +23,4 @@ pub mod rng;
 pub mod status;
 pub(crate) mod structs;
 pub(crate) mod text;
+pub mod version;

@@ -4,11 +4,6 @@ use core::ffi::{CStr, c_char};
 use core::fmt;
 use critreg_core::Error;
 
-/// The version of this interface. It changes when a program has to be compiled
-/// again; compare it with critreg_abi_version() when the library is loaded at
-/// run time.
-pub const CRITREG_ABI_VERSION: u32 = 0;
-
 /// What became of a call: CRITREG_OK, one of the codes below, or the status of
 /// the program's own callback.
 pub type critreg_status = i32;
@@ -213,12 +208,6 @@ const CODES: [(&CStr, &CStr); 18] = [
 
 fn code(status: critreg_status) -> Option<&'static (&'static CStr, &'static CStr)> {
     CODES.get(usize::try_from(status).ok()?)
-}
-
-/// The CRITREG_ABI_VERSION of the library that runs.
-#[unsafe(no_mangle)]
-pub extern "C" fn critreg_abi_version() -> u32 {
-    CRITREG_ABI_VERSION
 }
 
 /// What a status means, in a few words of English.

@@ -86,6 +86,11 @@ fn chains_noise_and_certificates() {
 }
 
 #[test]
+fn versions_and_capabilities() {
+    passes("version", &["version.c"]);
+}
+
+#[test]
 fn learning_with_float() {
     passes("precision", &["precision.c"]);
 }

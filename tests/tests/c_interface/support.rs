@@ -24,21 +24,20 @@ pub(crate) fn scratch() -> &'static Path {
     Path::new(env!("CARGO_TARGET_TMPDIR"))
 }
 
-/// The directory with the library that `make -C c_examples` builds, links and installs.
+/// The directory with the library that `make` at the top builds and installs.
 pub(crate) fn library_directory() -> &'static Path {
     static DIRECTORY: OnceLock<PathBuf> = OnceLock::new();
     DIRECTORY.get_or_init(|| {
-        let examples = root().join("c_examples");
         let target = scratch().parent().expect("it is in the target directory");
         run(Command::new("make")
             .args(["--silent", "-C"])
-            .arg(&examples)
+            .arg(root())
             .arg("library")
             .env("CARGO_TARGET_DIR", target)
             // Settings of the test build, such as sanitizers, do not belong here.
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
             .env_remove("RUSTFLAGS"));
-        examples.join("build/lib")
+        target.join("c")
     })
 }
 
