@@ -95,6 +95,23 @@ pub struct Table<'m, T> {
     what: &'static str,
 }
 
+impl<T: Copy> Table<'_, T> {
+    /// Keeps the items at certain places, in their order.
+    pub(crate) fn keep(&mut self, wanted: impl Fn(usize) -> bool) {
+        let mut kept = 0;
+        for place in 0..self.used {
+            if wanted(place)
+                && let Some(item) = self.slots.get(place).copied()
+                && let Some(slot) = self.slots.get_mut(kept)
+            {
+                *slot = item;
+                kept += 1;
+            }
+        }
+        self.used = kept;
+    }
+}
+
 impl<'m, T> Table<'m, T> {
     /// An empty table whose capacity is the length of `slots`; `what` names it
     /// in the error of a push that finds no room.

@@ -7,7 +7,7 @@
 //! | 4 | fingerprint of the problem |
 //! | 4 | number of its instances |
 //! | 4 | fingerprint of the learner |
-//! | 4 | place among the observations |
+//! | 4 | place among all that was told |
 //! | 8 + 8 n | the observation, as in a saved run |
 //! | 4 | CRC-32 of all before |
 //!
@@ -15,8 +15,9 @@
 //! that was torn when the machine stopped is noticed and left out.
 
 use super::Learner;
-use super::log::{Observation, check_fresh};
+use super::log::{Notes, Observation, check_fresh};
 use super::problem::{Begun, Problem};
+use super::question::KEPT;
 use crate::error::Error;
 use crate::wire::{FRAME, Reader, Writer};
 
@@ -30,7 +31,16 @@ fn record_len(problem: &Problem<'_>) -> usize {
 
 /// How many bytes [`journal`] needs.
 pub fn journal_len(learner: &(impl Learner + ?Sized), problem: &Problem<'_>, from: usize) -> usize {
-    record_len(problem) * learner.observations().len().saturating_sub(from)
+    record_len(problem)
+        * learner
+            .observations()
+            .len()
+            .saturating_sub(written(learner, from))
+}
+
+/// Of what is kept, the observations that are among the first `from` that were told.
+fn written(learner: &(impl Learner + ?Sized), from: usize) -> usize {
+    from.saturating_sub(learner.notes().dropped)
 }
 
 /// Writes what is to be appended to a journal that has the first `from` observations in it,
@@ -49,14 +59,16 @@ pub fn journal(
     let length = journal_len(learner, problem, from);
     let records = bytes.get_mut(..length).ok_or(TOO_SHORT)?;
     let records = records.chunks_exact_mut(record_len(problem));
-    let observations = learner.observations().iter().enumerate().skip(from);
+    let dropped = learner.notes().dropped;
+    let observations = learner.observations().iter().enumerate();
+    let observations = observations.skip(written(learner, from));
     for ((place, observation), record) in observations.zip(records) {
         let mut writer = Writer::new(record, MAGIC, VERSION);
         let Begun { fingerprint, count } = problem.begun();
         writer.u32(fingerprint);
         writer.u32(count);
         writer.u32(learner.fingerprint());
-        writer.u32(u32::try_from(place).map_err(|_| TOO_SHORT)?);
+        writer.u32(u32::try_from(dropped + place).map_err(|_| TOO_SHORT)?);
         observation.write(&mut writer, problem);
         writer.finish("bytes for a journal")?;
     }
@@ -89,12 +101,26 @@ pub fn resume_journal<L: Learner + ?Sized>(
         if reader.u32()? != learner.fingerprint() {
             return Err(Error::Mismatch("saved with another configuration"));
         }
-        if reader.u32()? as usize != learner.observations().len() {
+        let place = reader.u32()? as usize;
+        let saved = Observation::read(&mut reader, problem)?;
+        if stands == 0 && saved.notes & KEPT != 0 {
+            // What was dropped before is in no journal.
+            let notes = Notes {
+                dropped: place,
+                ..learner.notes()
+            };
+            learner.reopen(problem, notes)?;
+        }
+        if place != learner.notes().dropped + learner.observations().len() {
             return Err(Error::Corrupt("a record of the journal is missing"));
         }
-        let saved = Observation::read(&mut reader, problem)?;
         learner.replay(problem, &saved)?;
         stands += record.len();
     }
+    let notes = Notes {
+        since: 0,
+        ..learner.notes()
+    };
+    learner.reopen(problem, notes)?;
     Ok(stands)
 }

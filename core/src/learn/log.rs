@@ -11,6 +11,7 @@
 //! | 2 | what the learner did since the last observation |
 //! | 4 | number of observations |
 //! | 4 | number of questions that were asked |
+//! | 4 | number of observations that are no longer kept |
 //! | 4 | number of those whose answers are not taken in |
 //! | 8 + 8 n each | an observation: instance (4), outcome (2, [`Outcome::code`]), what it was asked for, if it was, and what the learner did before (2), parameters |
 //! | 18 + 8 n each | such a question: id (8), what became of it (2), and as an observation, with the outcome that waits |
@@ -30,7 +31,7 @@ use crate::wire::{FRAME, Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRLG";
 const VERSION: u16 = 4;
-const HEADER: usize = 4 + 4 + 4 + 2 + 2 + 4 + 4 + 4;
+const HEADER: usize = 4 + 4 + 4 + 2 + 2 + 4 + 4 + 4 + 4;
 
 /// A sample that was tried and what came of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +44,17 @@ pub struct Observation {
     pub(super) notes: u16,
     /// The parameters of the action.
     pub theta: Theta,
+}
+
+/// What a learner knows of a run beside what was told.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Notes {
+    /// What was done since the last observation.
+    pub since: u16,
+    /// Questions that were asked.
+    pub asked: u32,
+    /// Observations that are no longer kept.
+    pub dropped: usize,
 }
 
 impl Blank for Observation {
@@ -185,10 +197,11 @@ pub fn save(
     writer.u32(count);
     writer.u32(learner.fingerprint());
     writer.u16(u16::try_from(parameters).map_err(|_| TOO_MANY)?);
-    let (notes, asked) = learner.notes();
-    writer.u16(notes);
+    let notes = learner.notes();
+    writer.u16(notes.since);
     writer.u32(u32::try_from(observations.len()).map_err(|_| TOO_MANY)?);
-    writer.u32(asked);
+    writer.u32(notes.asked);
+    writer.u32(u32::try_from(notes.dropped).map_err(|_| TOO_MANY)?);
     writer.u32(u32::try_from(learner.trials().len()).map_err(|_| TOO_MANY)?);
     for observation in observations {
         observation.write(&mut writer, problem);
@@ -224,8 +237,8 @@ pub fn resume<L: Learner + ?Sized>(
     if usize::from(reader.u16()?) != problem.domain().parameters().len() {
         return Err(Error::Corrupt("the saved samples have other parameters"));
     }
-    let notes = reader.u16()?;
-    let (count, asked, trials) = (reader.u32()?, reader.u32()?, reader.u32()?);
+    let (since, count) = (reader.u16()?, reader.u32()?);
+    let (asked, dropped, trials) = (reader.u32()?, reader.u32()?, reader.u32()?);
     if usize::try_from(count).map_or(true, |count| count > learner.room()) {
         return Err(Error::CapacityExceeded("observations"));
     }
@@ -233,7 +246,13 @@ pub fn resume<L: Learner + ?Sized>(
         let saved = Observation::read(&mut reader, problem)?;
         learner.replay(problem, &saved)?;
     }
-    learner.reopen(problem, (notes, asked))?;
+    let dropped = dropped as usize;
+    let notes = Notes {
+        since,
+        asked,
+        dropped,
+    };
+    learner.reopen(problem, notes)?;
     for _ in 0..trials {
         let saved = Trial::read(&mut reader, problem)?;
         learner.restore(problem, saved)?;

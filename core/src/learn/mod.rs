@@ -70,6 +70,8 @@ pub mod version_space;
 
 pub use algorithm1::Algorithm1;
 pub use journal::{journal, journal_len, resume_journal};
+#[doc(hidden)]
+pub use log::Notes;
 pub use log::{Observation, resume, save, saved_len};
 pub use outcome::Outcome;
 pub use problem::Problem;
@@ -165,10 +167,9 @@ pub trait Learner {
     #[doc(hidden)]
     fn trials(&self) -> &[Trial];
 
-    /// What was done since the last observation, and how many questions were asked, for
-    /// [`Learner::reopen`].
+    /// What is saved beside observations and questions, for [`Learner::reopen`].
     #[doc(hidden)]
-    fn notes(&self) -> (u16, u32);
+    fn notes(&self) -> Notes;
 
     /// Does what led to a saved observation, and takes it.
     ///
@@ -182,7 +183,7 @@ pub trait Learner {
     /// # Errors
     /// Those of [`Learner::ask`].
     #[doc(hidden)]
-    fn reopen(&mut self, problem: &Problem<'_>, notes: (u16, u32)) -> Result<(), Error>;
+    fn reopen(&mut self, problem: &Problem<'_>, notes: Notes) -> Result<(), Error>;
 
     /// Opens a question that was open.
     ///

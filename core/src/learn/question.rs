@@ -68,6 +68,10 @@ pub(super) enum Purpose {
 /// Where the purpose stands in the notes of an observation.
 pub(super) const PURPOSE: u16 = (1 << 3) - 1;
 
+/// In the notes of an observation: it was kept when others were dropped, and taken in without
+/// a look for hypotheses.
+pub(super) const KEPT: u16 = 1 << 12;
+
 impl Purpose {
     const ALL: [Purpose; 5] = [
         Purpose::Doubt,

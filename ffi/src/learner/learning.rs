@@ -184,14 +184,18 @@ pub unsafe extern "C" fn critreg_ask(
 /// With noise, what was asked for is asked again until its outcome is beyond doubt; what was
 /// not is taken at its word, and wrong outcomes make the region an approximate one.
 ///
+/// A log may be longer than critreg_config.observations: when these are used up, of what was
+/// not asked everything near the bounds of the region is kept and elsewhere every second
+/// sample. What is learned agrees with what is kept.
+///
 /// @param learner The learner; CRITREG_VERSION_SPACE.
 /// @param instances The problem instances, as for critreg_ask().
 /// @param count How many there are.
 /// @param instance The index of the instance that it was tried in.
 /// @param theta The parameters: one number each. NULL if there are none.
 /// @param outcome What came of it.
-/// @return CRITREG_CAPACITY_EXCEEDED if there is no room for another observation
-/// (critreg_config.observations; those of the calls take some, too);
+/// @return CRITREG_CAPACITY_EXCEEDED if there is no room for another observation, because
+/// nearly all were asked for;
 /// CRITREG_INVALID_ARGUMENT for an instance or outcome that is none, a step that the
 /// configuration does not have, or CRITREG_ALGORITHM1; CRITREG_NOT_FINITE for a parameter;
 /// and as critreg_ask() where that is not finished. Then nothing was told.

@@ -10,6 +10,9 @@
 //! What answers cost that come late, from several workers:
 //! `report -- parallel [--seeds N] [--first N]`.
 //!
+//! What a log teaches, without a question:
+//! `report -- passive [--seeds N] [--first N] [--log N] [--noise SHARE]`.
+//!
 //! How much the numbers matter that decide what is learned:
 //! `report -- sensitivity [--seeds N] [--first N] [--only <part of a name>]`.
 
@@ -20,6 +23,7 @@ const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n 
      <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
      [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]\n       report \
      parallel [--seeds N] [--first N]\n       report \
+     passive [--seeds N] [--first N] [--log N] [--noise SHARE]\n       report \
      sensitivity [--seeds N] [--first N] [--only <part of a name>]";
 
 struct Options {
@@ -68,18 +72,22 @@ fn seeded() -> Option<()> {
     let mut arguments = std::env::args().skip(1);
     let name = arguments.next()?;
     let (mut seeds, mut first, mut only) = (20, 0, String::new());
+    let (mut log, mut noise) = (1000, 0.0);
     while let Some(flag) = arguments.next() {
         let value = arguments.next()?;
         match flag.as_str() {
             "--seeds" => seeds = value.parse().ok()?,
             "--first" => first = value.parse().ok()?,
             "--only" => only = value,
+            "--log" => log = value.parse().ok()?,
+            "--noise" => noise = value.parse().ok()?,
             _ => return None,
         }
     }
     match name.as_str() {
         "sensitivity" => report::sensitivity(seeds, first, &only),
         "parallel" => report::parallel(seeds, first),
+        "passive" => report::passive(seeds, first, log, noise),
         _ => return None,
     }
     Some(())

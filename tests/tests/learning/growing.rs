@@ -1,14 +1,12 @@
 //! Runs that grow: more calls, a larger memory, more instances.
 
-use crate::shelf::{SHELF, fits, go_on, room, saved, shelves};
+use crate::shelf::{SHELF, go_on, room, saved, shelves};
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config, Quality};
 use critreg::learn::{
-    Learner, Outcome, Problem, Query, VersionSpace, journal, journal_len, resume, resume_journal,
-    save, saved_len,
+    Learner, Problem, VersionSpace, journal, journal_len, resume, resume_journal,
 };
-use critreg::random::{generator, uniform_in};
 use critreg_tests::room::VersionSpaceRoom;
 use proptest::prelude::*;
 

@@ -1,16 +1,14 @@
 //! What was not asked: logs and demonstrations.
 
-use crate::shelf::{SHELF, fits, room, saved, shelves};
+use crate::shelf::{SHELF, fits, go_on, room, saved, shelves};
 use critreg::Error;
 use critreg::domain::Domain;
-use critreg::learn::version_space::{Capacity, Config, Quality, Why};
-use critreg::learn::{
-    Learner, Outcome, Problem, Query, VersionSpace, learn_region, resume, save, saved_len,
-};
+use critreg::learn::version_space::{Config, Quality, Why};
+use critreg::learn::{Learner, Outcome, Problem, Query, VersionSpace, learn_region, resume};
 use critreg::random::{Generator, generator, uniform_in};
 use critreg::region::Theta;
 use critreg_tests::pick;
-use critreg_tests::room::{Algorithm1Room, VersionSpaceRoom};
+use critreg_tests::room::Algorithm1Room;
 use proptest::prelude::*;
 
 const SLOT: &str = "
@@ -107,9 +105,6 @@ fn a_log_determines_a_region() {
         region.display(&domain).to_string(),
         "py - shelf.y >= 0.25 (margin) and px - cup.x <= -0.25 (-margin)"
     );
-    let full = learner.observe(&problem, &anywhere(&mut rng, INSTANCES), Outcome::Feasible);
-    assert_eq!(full, Err(Error::CapacityExceeded("observations")));
-    assert_eq!(learner.report(), report);
 }
 
 #[test]
@@ -223,6 +218,50 @@ fn perform(learner: &mut VersionSpace<'_, f64>, problem: &Problem<'_>, deed: Dee
         Deed::Conclude => learner.conclude(problem).unwrap(),
         Deed::Ask | Deed::Tell => {}
     }
+}
+
+/// The region of a log, as text; the log goes on after the run was saved and resumed.
+#[test]
+fn a_log_may_be_longer_than_the_table() {
+    let domain = Domain::parse(SHELF).unwrap();
+    let instances = shelves(11, INSTANCES);
+    let problem = Problem::new(&domain, &instances, INSTANCES).unwrap();
+    let config = Config {
+        calls: 30,
+        ..Config::default()
+    };
+    let (mut first, mut second) = (room(256), room(256));
+    let mut whole = first.learner(&domain, config).unwrap();
+    let mut rng = generator(11);
+    let mut log = |learner: &mut [&mut VersionSpace<'_, f64>], length: usize| {
+        for _ in 0..length {
+            let query = anywhere(&mut rng, INSTANCES);
+            for learner in &mut *learner {
+                let outcome = fits(&problem, &query);
+                learner.observe(&problem, &query, outcome).unwrap();
+            }
+        }
+    };
+    log(&mut [&mut whole], 3000);
+    let report = whole.report();
+    assert_eq!(report.observed, 3000);
+    assert_eq!(whole.observations().len() + report.dropped, 3000);
+    let mut part = second.learner(&domain, config).unwrap();
+    resume(&mut part, &problem, &saved(&whole, &problem)).unwrap();
+    assert_eq!(part.report(), whole.report());
+
+    log(&mut [&mut whole, &mut part], 500);
+    go_on(&mut whole, &problem, 30);
+    go_on(&mut part, &problem, 30);
+    assert_eq!(part.observations(), whole.observations());
+    assert_eq!(part.report(), whole.report());
+    let text = whole.region().unwrap().display(&domain).to_string();
+    assert_eq!(whole.quality(), Quality::Exact, "{text}");
+    assert_eq!(
+        text.matches("(-margin)").count() + text.matches("(margin)").count(),
+        2,
+        "{text}"
+    );
 }
 
 proptest! {

@@ -42,7 +42,7 @@ mod config;
 pub use bounds::Bounds;
 pub use config::{Capacity, Config, Memory, Report};
 
-use super::log::Observation;
+use super::log::{Notes, Observation};
 use super::problem::{Begun, Problem};
 use super::question::{Purpose, Question, State, Trial};
 use super::{Learner, Outcome, Query};
@@ -368,8 +368,11 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         self.pending.as_slice()
     }
 
-    fn notes(&self) -> (u16, u32) {
-        (0, self.serial)
+    fn notes(&self) -> Notes {
+        Notes {
+            asked: self.serial,
+            ..Notes::default()
+        }
     }
 
     fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error> {
@@ -379,7 +382,7 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         self.tell(problem, saved.outcome)
     }
 
-    fn reopen(&mut self, _: &Problem<'_>, _: (u16, u32)) -> Result<(), Error> {
+    fn reopen(&mut self, _: &Problem<'_>, _: Notes) -> Result<(), Error> {
         Ok(())
     }
 

@@ -39,18 +39,25 @@ impl<R: Real> VersionSpace<'_, R> {
             .is_empty()
             .then_some(begun.count);
         self.problem = Some(begun);
+        self.retake(problem, told)?;
+        self.end_quiet(problem.domain());
+        self.redo(problem.domain(), notes);
+        Ok(())
+    }
+
+    /// Takes what was told in again, of a table that was cleared.
+    pub(super) fn retake(&mut self, problem: &Problem<'_>, told: usize) -> Result<(), Error> {
         let open = self.trials.len();
         for place in 0..told {
             if let Some(saved) = self.observations.slot(place).copied() {
                 self.take_again(problem, &saved, open)?;
             }
         }
-        self.redo(problem.domain(), notes);
         Ok(())
     }
 
     /// Makes everything as it was before anything was told.
-    fn forget(&mut self, domain: &Domain<'_>) {
+    pub(super) fn forget(&mut self, domain: &Domain<'_>) {
         self.forms.forget();
         self.committee.clear();
         self.approximations.iter_mut().for_each(|own| own.clear());
@@ -67,6 +74,18 @@ impl<R: Real> VersionSpace<'_, R> {
         (self.certifying, self.certify_from) = (false, self.config.certifying);
         self.region.clear(domain);
         self.evidence.clear();
-        self.report = Report::default();
+        let Report {
+            forms,
+            forms_left_out,
+            dropped,
+            ..
+        } = self.report;
+        self.report = Report {
+            forms,
+            forms_left_out,
+            dropped,
+            observed: dropped,
+            ..Report::default()
+        };
     }
 }

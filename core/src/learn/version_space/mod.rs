@@ -74,7 +74,7 @@
 //! | `committee` | the hypotheses that are known, and their votes |
 //! | `selection` | repairing and selecting hypotheses |
 //! | `describe`, `name` | clauses in words of the domain |
-//! | `open`, `telling`, `growing` | questions that are open; taking answers in; instances that arrive |
+//! | `open`, `telling`, `growing`, `thinning` | questions that are open; taking answers in; instances that arrive; logs that are longer than the table |
 //! | `query/` | which sample to ask about, a file for each strategy |
 //! | `tuning` | all numbers that decide what is learned |
 
@@ -100,6 +100,7 @@ mod query;
 mod report;
 mod selection;
 mod telling;
+mod thinning;
 mod tuning;
 
 pub use certificate::Certificate;
@@ -112,9 +113,9 @@ pub use quality::{Quality, Why};
 pub use report::{Evidence, Report};
 pub use tuning::Tuning;
 
-use super::log::Observation;
+use super::log::{Notes, Observation};
 use super::problem::{Begun, Problem};
-use super::question::{Purpose, Question, Trial};
+use super::question::{KEPT, Purpose, Question, Trial};
 use super::{Learner, Outcome, Query};
 use crate::domain::{Domain, MAX_PARAMETERS};
 use crate::error::Error;
@@ -151,6 +152,8 @@ pub struct VersionSpace<'m, R> {
     /// How many were asked.
     serial: u32,
     since: Since,
+    /// Samples are taken in without a look for hypotheses.
+    quiet: bool,
     problem: Option<Begun>,
     /// Instances that were not asked about, if there is nothing else to ask about.
     unasked: Option<u32>,
@@ -216,6 +219,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             trials: Table::new(memory.trials, "open questions"),
             serial: 0,
             since: Since::default(),
+            quiet: false,
             problem: None,
             unasked: None,
             influence: false,
@@ -353,6 +357,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         let used = own.theta.get(..parameters.len()).unwrap_or_default();
         problem.domain().check_parameters(used)?;
         self.check_room()?;
+        self.make_room(problem)?;
         let trial = Trial::new(Question::new(0, own), Purpose::Told);
         self.take(problem, trial, outcome)?;
         Ok(())
@@ -364,8 +369,11 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         if !self.is_finished() {
             self.prepare(problem.domain(), self.open());
         }
-        // Where draws are on their way, the region stays what they are drawn from.
-        if self.since.late == 0 && !self.selection.is_of(self.forms.samples()) {
+        // Where draws are on their way, the region stays what they are drawn from; and one that
+        // was judged by what was told since is not exchanged for one that nobody judged.
+        let judged = self.approximating && self.quality() == Quality::Approximate;
+        let stays = self.since.late > 0 || judged;
+        if !stays && !self.selection.is_of(self.forms.samples()) {
             self.select_again(problem.domain());
         }
         Ok(())
@@ -375,22 +383,33 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         self.trials.as_slice()
     }
 
-    fn notes(&self) -> (u16, u32) {
-        (self.since.notes(), self.serial)
+    fn notes(&self) -> Notes {
+        Notes {
+            since: self.since.notes(),
+            asked: self.serial,
+            dropped: self.report.dropped,
+        }
     }
 
     fn replay(&mut self, problem: &Problem<'_>, saved: &Observation) -> Result<(), Error> {
         self.begin(problem)?;
+        if saved.notes & KEPT == 0 {
+            self.end_quiet(problem.domain());
+        }
+        self.make_room(problem)?;
         self.serial = self.serial.wrapping_add(u32::from(saved.asked()));
         self.take_again(problem, saved, 0)
     }
 
-    fn reopen(&mut self, problem: &Problem<'_>, (notes, serial): (u16, u32)) -> Result<(), Error> {
-        if notes != 0 {
+    fn reopen(&mut self, problem: &Problem<'_>, notes: Notes) -> Result<(), Error> {
+        if self.quiet || notes.since != 0 {
             self.begin(problem)?;
-            self.redo(problem.domain(), notes);
+            self.end_quiet(problem.domain());
+            self.redo(problem.domain(), notes.since);
         }
-        self.serial = serial;
+        self.serial = notes.asked;
+        self.report.observed += notes.dropped - self.report.dropped.min(notes.dropped);
+        self.report.dropped = notes.dropped;
         Ok(())
     }
 

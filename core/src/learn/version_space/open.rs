@@ -36,18 +36,6 @@ impl<R: Real> VersionSpace<'_, R> {
         self.count_trials(|trial| matches!(trial.state, State::Answered(_)))
     }
 
-    /// Checks that there is room for one more observation beside the answers that wait.
-    ///
-    /// # Errors
-    /// [`Error::CapacityExceeded`] if there is none.
-    pub(super) fn check_room(&self) -> Result<(), Error> {
-        let taken = self.observations.len() + self.waiting();
-        match taken < self.observations.capacity() {
-            true => Ok(()),
-            false => Err(Error::CapacityExceeded("observations")),
-        }
-    }
-
     /// One question more, if there is one that is worth asking now.
     pub(super) fn ask_another(&mut self, problem: &Problem<'_>) -> Result<Option<Question>, Error> {
         self.begin(problem)?;
@@ -148,7 +136,7 @@ impl<R: Real> VersionSpace<'_, R> {
         let mut place = 0;
         while let Some(trial) = self.trials.as_slice().get(place).copied() {
             match trial.state {
-                State::Answered(outcome) => match self.take(problem, trial, outcome)? {
+                State::Answered(outcome) => match self.take_asked(problem, trial, outcome)? {
                     None => self.trials.remove(place),
                     Some(left) => {
                         let again = Trial {
@@ -166,6 +154,16 @@ impl<R: Real> VersionSpace<'_, R> {
             }
         }
         Ok(())
+    }
+
+    fn take_asked(
+        &mut self,
+        problem: &Problem<'_>,
+        trial: Trial,
+        outcome: Outcome,
+    ) -> Result<Option<Trial>, Error> {
+        self.make_room(problem)?;
+        self.take(problem, trial, outcome)
     }
 
     /// The region is another one: draws from the old one that are on their way certify nothing.

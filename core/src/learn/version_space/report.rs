@@ -14,6 +14,9 @@ pub struct Report {
     pub calls: usize,
     /// Outcomes told of what was not.
     pub observed: usize,
+    /// Those of them that are no longer kept, because the log was longer than the table: what
+    /// is learned agrees with what is kept.
+    pub dropped: usize,
     /// Feasible samples.
     pub feasible: usize,
     /// Infeasible ones. With noise, each that was asked takes several calls.

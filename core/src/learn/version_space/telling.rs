@@ -6,7 +6,7 @@ use super::query::Phase;
 use super::{Step, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
-use crate::learn::question::{Purpose, Question, State, Trial};
+use crate::learn::question::{KEPT, Purpose, Question, State, Trial};
 use crate::learn::{Observation, Outcome, Problem, Query};
 use crate::real::Real;
 
@@ -52,7 +52,7 @@ impl<R: Real> VersionSpace<'_, R> {
         self.check_step(outcome)?;
         let asked = trial.purpose != Purpose::Told;
         let observation = Observation {
-            notes: trial.purpose as u16 | self.since.notes(),
+            notes: trial.purpose as u16 | self.since.notes() | if self.quiet { KEPT } else { 0 },
             ..Observation::new(trial.query(), outcome)?
         };
         self.forms
@@ -84,6 +84,13 @@ impl<R: Real> VersionSpace<'_, R> {
             let settled = self.unasked.map(|count| count.saturating_sub(1));
             self.unasked = if settles { settled } else { self.unasked };
         }
+        if decided && self.quiet {
+            self.take_in(&trial);
+            self.note_influence(trial.query(), trial.lead > 0);
+        }
+        if self.quiet {
+            return Ok(None);
+        }
         if decided {
             self.learn(problem.domain(), &trial);
         }
@@ -104,7 +111,11 @@ impl<R: Real> VersionSpace<'_, R> {
         saved: &Observation,
         kept: usize,
     ) -> Result<(), Error> {
-        self.redo(problem.domain(), saved.notes);
+        if saved.notes & KEPT != 0 {
+            self.quiet = true;
+        } else if !self.quiet {
+            self.redo(problem.domain(), saved.notes);
+        }
         let place = match saved.asked() {
             true => self.place_of_query(&saved.query()),
             false => None,
@@ -152,8 +163,9 @@ impl<R: Real> VersionSpace<'_, R> {
         if notes & CONCLUDED != 0 {
             self.select_again(domain);
         }
-        if notes >> LATE != 0 {
-            self.prepare(domain, u32::from(notes >> LATE));
+        let late = (notes & !KEPT) >> LATE;
+        if late != 0 {
+            self.prepare(domain, late.into());
         }
     }
 
@@ -197,7 +209,10 @@ impl<R: Real> VersionSpace<'_, R> {
         let certifies = trial.purpose == Purpose::Certify;
         self.take_in(trial);
         self.note_influence(trial.query(), feasible);
-        let moved = self.repair_best();
+        // Where nobody asks and nothing explains all answers, the next selection does it.
+        let told = trial.purpose == Purpose::Told;
+        let waits = told && (self.approximating || !self.committee.is_consistent());
+        let moved = !waits && self.repair_best();
         self.count(trial);
         if self.approximating {
             return;
@@ -222,8 +237,12 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Counts what samples that were drawn at random tell about the region.
     fn count(&mut self, trial: &Trial) {
         let feasible = trial.lead > 0;
-        if trial.purpose == Purpose::Anywhere && feasible {
-            let inside = self.shows(trial.query().instance);
+        // Nobody chose what is in a log by the region: it is as good as drawn from it or from
+        // everything, with the chances of the log.
+        let logged = trial.purpose == Purpose::Told && self.approximating;
+        let counts = logged || (trial.purpose == Purpose::Anywhere && feasible);
+        let inside = counts && self.shows(trial.query().instance);
+        if counts && feasible {
             self.report.found += 1;
             self.report.inside += u32::from(inside);
         }
@@ -234,7 +253,8 @@ impl<R: Real> VersionSpace<'_, R> {
         } = self.report.certificate;
         // As long as everything works, the region is everything.
         let all = self.report.infeasible == 0 && trial.purpose == Purpose::Anywhere;
-        let certifies = u32::from(all || trial.purpose == Purpose::Certify);
+        let drawn = trial.purpose == Purpose::Certify || (logged && inside);
+        let certifies = u32::from(all || drawn);
         let worked = worked + certifies * u32::from(feasible);
         let confidence = self.config.confidence;
         self.report.certificate = Certificate::new(draws + certifies, worked, confidence);

@@ -41,6 +41,11 @@ impl SampleSet {
         counts.sum()
     }
 
+    pub(in super::super) fn contains(&self, sample: usize) -> bool {
+        let word = self.words.get(sample / 64);
+        word.is_some_and(|word| word >> (sample % 64) & 1 == 1)
+    }
+
     pub(in super::super) fn insert(&mut self, sample: usize) {
         if let Some(word) = self.words.get_mut(sample / 64) {
             *word |= 1 << (sample % 64);

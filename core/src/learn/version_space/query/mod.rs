@@ -123,6 +123,10 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             false => self.since.early = true,
         }
         self.reseed(Step::Prepare);
+        if self.approximating || !self.committee.is_consistent() {
+            // What was told meanwhile may not have been looked at.
+            self.repair_best();
+        }
         match phase {
             Phase::Search => {}
             Phase::Judge => self.prepare_to_judge(domain),
