@@ -91,9 +91,11 @@
 mod changes;
 mod context;
 mod description;
+mod pair;
 mod planning;
 mod role_binding;
 mod room;
+mod setting;
 mod skills;
 mod training;
 mod tuning;
@@ -101,9 +103,11 @@ mod tuning;
 pub use changes::Changes;
 pub use context::Context;
 pub use description::{Describe, Description};
+pub use pair::{Later, write_pair};
 pub use planning::{RegionGuide, RegionSampler};
 pub use role_binding::RoleBinding;
 pub use room::{SkillRoom, TrainingRoom};
+pub use setting::{Practice, Setting, Signature};
 pub use skills::{Skill, Skills};
 pub use training::{
     Candidate, Learned, MAX_CHAIN, Oracle, Situation, Trainer, Training, TrainingMemory,

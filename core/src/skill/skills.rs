@@ -3,10 +3,12 @@
 use super::changes::Changes;
 use super::description::{Describe, Description};
 use super::role_binding::RoleBinding;
+use super::setting::Setting;
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::region::Region;
-use crate::task::{ControllerId, MAX_STATE_VALUES};
+use crate::task::{ControllerId, MAX_ARGUMENTS, MAX_STATE_VALUES, ObjectId};
+use heapless::Vec;
 
 /// What is known of a described controller, or of two.
 #[derive(Clone, Debug)]
@@ -14,6 +16,8 @@ pub struct Skill {
     description: Description,
     domain: Domain<'static>,
     binding: RoleBinding,
+    /// Places of the objects of the two controllers that must be the same objects.
+    shared: Vec<(usize, usize), MAX_ARGUMENTS>,
     region: Option<Region>,
     /// A bit for each number of an instance that the region reads.
     reads: u64,
@@ -23,26 +27,56 @@ const _: () = assert!(MAX_STATE_VALUES <= 64, "there is a bit per number");
 
 impl Skill {
     /// Nothing known yet of what is described.
-    fn new<E: Describe>(environment: &E, description: &Description) -> Result<Self, Error> {
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if there is no such controller, or it has fewer parameters than
+    /// the text; those of [`Domain::parse`] and of [`RoleBinding::new`].
+    pub fn new(setting: &impl Setting, description: &Description) -> Result<Self, Error> {
         let domain = Domain::parse(description.text)?;
-        let controller = environment.controller(description.controller)?;
-        if domain.parameters().len() > controller.parameters.len() {
+        let controller = setting.signature(description.controller)?;
+        if domain.parameters().len() > controller.parameters {
             return Err(Error::Mismatch(
                 "a text has more parameters than its controller",
             ));
         }
         let later = match description.later {
-            Some(later) => environment.controller(later)?.arguments,
+            Some(later) => setting.signature(later)?.arguments,
             None => &[],
         };
         let arguments = controller.arguments;
         Ok(Skill {
             description: *description,
-            binding: RoleBinding::new(&domain, E::TYPES, arguments, later)?,
+            binding: RoleBinding::new(&domain, setting.types(), arguments, later)?,
             domain,
+            shared: Vec::new(),
             region: None,
             reads: 0,
         })
+    }
+
+    /// As [`Skill::new`], of two controllers of which objects whose roles have the same name
+    /// are the same, as in the text that [`write_pair`](super::write_pair) writes. Of others
+    /// nothing is said.
+    ///
+    /// # Errors
+    /// Those of [`Skill::new`].
+    pub fn of_same_objects(
+        setting: &impl Setting,
+        description: &Description,
+    ) -> Result<Self, Error> {
+        let mut skill = Skill::new(setting, description)?;
+        if let Some(later) = description.later {
+            let own = setting.signature(description.controller)?.arguments;
+            let later = setting.signature(later)?.arguments;
+            skill.shared = RoleBinding::shared(&skill.domain, setting.types(), own, later);
+        }
+        Ok(skill)
+    }
+
+    /// Whether it says something of controllers with these objects.
+    pub(super) fn is_about(&self, objects: &[ObjectId], later_objects: &[ObjectId]) -> bool {
+        let mut shared = self.shared.iter();
+        shared.all(|(own, later)| objects.get(*own) == later_objects.get(*later))
     }
 
     /// What it is about.
@@ -123,6 +157,11 @@ impl<'m> Skills<'m> {
             *skill = Some(Skill::new(environment, description)?);
         }
         Ok(Skills { skills, changes })
+    }
+
+    /// What is known already, in places that were filled one by one.
+    pub fn resume(skills: &'m mut [Option<Skill>], changes: &'m mut [Changes]) -> Self {
+        Skills { skills, changes }
     }
 
     /// All of them, in the order of the descriptions.

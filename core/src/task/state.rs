@@ -96,6 +96,39 @@ impl State {
         }
     }
 
+    /// A state whose numbers are arranged in another way: of each object its type, where its
+    /// numbers begin and how many they are. Objects may have none, and there may be numbers
+    /// that belong to nobody. Names are the caller's business.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] beyond [`MAX_OBJECTS`] objects or [`MAX_STATE_VALUES`]
+    /// numbers; [`Error::InvalidArgument`] if an object has numbers that are not there.
+    pub fn arranged(
+        objects: impl IntoIterator<Item = (TypeId, usize, usize)>,
+        values: &[f64],
+    ) -> Result<State, Error> {
+        let mut state = State::new();
+        let all = state.values.extend_from_slice(values);
+        all.map_err(|_| Error::CapacityExceeded("numbers of a state"))?;
+        for (type_id, first, count) in objects {
+            if first.saturating_add(count) > values.len() {
+                return Err(Error::InvalidArgument("the state has too few numbers"));
+            }
+            let number = state.of_type(type_id).count() as u8;
+            // There are at most 64 numbers.
+            let (first, count) = (first as u8, count as u8);
+            let entry = Entry {
+                type_id,
+                number,
+                first,
+                count,
+            };
+            let pushed = state.objects.push(entry);
+            pushed.map_err(|_| Error::CapacityExceeded("objects of a state"))?;
+        }
+        Ok(state)
+    }
+
     /// Adds an object of the type `type_id` of `types`.
     ///
     /// # Errors

@@ -78,6 +78,15 @@ fn guided<'a>(
     (RegionSampler::new(&ENVIRONMENT, skills), guide)
 }
 
+/// What the sampler of the environment draws.
+fn draw_from(
+    sampler: &mut RegionSampler<'_, StickButton>,
+    draw: &Draw<'_, State>,
+    rng: &mut Generator,
+) -> Drawn {
+    Sampler::<Simulated<'_, StickButton>>::sample(sampler, draw, rng).unwrap()
+}
+
 const NODES: usize = 10_000;
 
 // Learning
@@ -346,7 +355,7 @@ proptest! {
                 attempt: 1,
                 advised: true,
             };
-            let drawn = sampler.sample(&draw, &mut generator(seed)).unwrap();
+            let drawn = draw_from(&mut sampler, &draw, &mut generator(seed));
             let parameters = match drawn {
                 Drawn::Parameters(p) | Drawn::Informed(p) => Some(p),
                 Drawn::Empty(_) | Drawn::Nothing => None,
@@ -427,7 +436,7 @@ fn draws_from_everything_reach_what_a_region_leaves_out() {
                 attempt: 1,
                 advised: true,
             };
-            match sampler.sample(&draw, &mut rng).unwrap() {
+            match draw_from(&mut sampler, &draw, &mut rng) {
                 Drawn::Parameters(p) | Drawn::Informed(p) => p[0] > 0.25,
                 Drawn::Empty(_) | Drawn::Nothing => panic!("the region is not empty"),
             }
