@@ -604,7 +604,7 @@
  * Bytes of a planner that do not depend on its capacity, apart from pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLANNER_FIXED_BYTES 30592
+#define CRITREG_PLANNER_FIXED_BYTES 31136
 
 /**
  * Pointers of a planner that do not depend on its capacity; for
@@ -620,7 +620,7 @@
 /**
  * Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_OPERATOR_BYTES 92
+#define CRITREG_OPERATOR_BYTES 96
 
 /**
  * Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
@@ -642,6 +642,11 @@
  * Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
  */
 #define CRITREG_PLAN_STEP_POINTERS 13
+
+/**
+ * Bytes that are enough for the words of critreg_planner_reason_text(), with their NUL.
+ */
+#define CRITREG_REASON_MAX 512
 
 /**
  * Most parameters of an action: an array for theta of this length fits every
@@ -943,7 +948,7 @@
 #define CRITREG_WHY_NO_SKELETON 2
 
 /**
- * The callback advise pruned all sequences that reach the goal.
+ * The callback advise, or skills, pruned all sequences that reach the goal.
  */
 #define CRITREG_WHY_PRUNED 3
 
@@ -984,6 +989,27 @@
 #define CRITREG_WHY_STOPPED 10
 
 /**
+ * Most numbers of a state that skills are learned or used in.
+ */
+#define CRITREG_MAX_STATE_NUMBERS 64
+
+/**
+ * Most objects of a task that skills are learned or used in.
+ */
+#define CRITREG_MAX_STATE_OBJECTS 32
+
+/**
+ * Most ground operators of a task that skills are learned from, and most ground atoms.
+ * A planner that uses the skills may have more.
+ */
+#define CRITREG_MAX_TRAINING_OPERATORS 512
+
+/**
+ * Bytes for texts that skills have room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_SKILL_TEXTS 65536
+
+/**
  * Option of the stick-button environment: robot and stick can turn, and lie at
  * any angle in new tasks. Without it all angles are pi/2, as in the thesis.
  */
@@ -1005,6 +1031,12 @@ typedef struct critreg_planner critreg_planner;
  * or lies at the start of the memory it was made in.
  */
 typedef struct critreg_region critreg_region;
+
+/**
+ * Skills: what is learned of a program's controllers. They lie at the start of the memory
+ * they were made in.
+ */
+typedef struct critreg_skills critreg_skills;
 
 /**
  * What became of a call: CRITREG_OK, one of the codes below, or the status of
@@ -1625,9 +1657,11 @@ typedef struct critreg_callbacks {
      */
     uint32_t struct_size;
     /**
-     * Always 0.
+     * 1: sequences of operators that skills expect not to work are dropped, and a plan may be
+     * lost. 0, the default: they are postponed, until critreg_planner_config.patience is at
+     * its end.
      */
-    uint32_t reserved;
+    uint32_t prune;
     /**
      * Runs operators. Must be set.
      */
@@ -1644,6 +1678,13 @@ typedef struct critreg_callbacks {
      * Advises the search. NULL, the default: everything is kept.
      */
     critreg_advise advise;
+    /**
+     * What was learned, or NULL, the default. Where something is known of a step, its
+     * parameters are drawn from that, and sample is asked where nothing is, or without
+     * advice; what cannot work is postponed before advise is asked. Actions have the
+     * parameters of their controllers. The skills are in use while critreg_plan() runs.
+     */
+    struct critreg_skills *skills;
 } critreg_callbacks;
 
 /**
@@ -1760,6 +1801,194 @@ typedef struct critreg_metrics {
      */
     uint32_t repeated;
 } critreg_metrics;
+
+/**
+ * How learning goes.
+ */
+typedef struct critreg_training {
+    /**
+     * Size of this struct in bytes.
+     */
+    uint32_t struct_size;
+    /**
+     * Which skill is being learned, from 0.
+     */
+    uint32_t skill;
+    /**
+     * How many skills there are.
+     */
+    uint32_t skills;
+    /**
+     * Runs of controllers for this skill so far, those that were kept included.
+     */
+    uint32_t runs;
+} critreg_training;
+
+/**
+ * Called by critreg_skills_learn() after each run of a controller.
+ *
+ * @param progress_data That of the configuration.
+ * @param training How learning goes; valid until the callback returns.
+ * @return CRITREG_OK to go on. Anything else stops learning and becomes the status of
+ * critreg_skills_learn(): CRITREG_CANCELLED, or CRITREG_USER_STATUS and above.
+ */
+typedef critreg_status (*critreg_training_progress)(void *progress_data,
+                                                    const struct critreg_training *training);
+
+/**
+ * How much is tried to learn skills, and what there is room for. Fill it with
+ * critreg_skills_config_init(), set state_len, and change what you like. Nothing in it is
+ * kept after critreg_skills_init() returns, except the progress callback and its data.
+ */
+typedef struct critreg_skills_config {
+    /**
+     * Size of this struct in bytes, from critreg_skills_config_init().
+     */
+    uint32_t struct_size;
+    /**
+     * Most numbers of a state, from 1 to CRITREG_MAX_STATE_NUMBERS. Default 0, which is
+     * refused: say how many.
+     */
+    uint32_t state_len;
+    /**
+     * What the learner of a skill is told: seed, calls, slack and so on, and how many forms
+     * it has room for. Its learner, precision, instances, steps and progress do not count.
+     * Default NULL: the defaults of critreg_config, with CRITREG_DEFAULT_FORMS.
+     */
+    const struct critreg_config *learner;
+    /**
+     * Questions about two controllers. Default 200.
+     */
+    uint32_t chained;
+    /**
+     * How many controllers may be run to learn one about which there is a single skill: its
+     * questions are what the ways to situations leave of them, if that is more than the
+     * calls of the learner. Default 0.
+     */
+    uint32_t budget;
+    /**
+     * Situations that a skill with parameters is tried in, chosen to differ. Default 20.
+     */
+    uint32_t situations;
+    /**
+     * Situations that a skill without parameters is tried in, each once. Default 60.
+     */
+    uint32_t states;
+    /**
+     * Training tasks that situations of one skill are taken from. Default 150.
+     */
+    uint32_t situation_tasks;
+    /**
+     * Training tasks to have room for. Default 150.
+     */
+    uint32_t tasks;
+    /**
+     * Controllers to have room for; an action that belongs to none is one. Default 16.
+     */
+    uint32_t controllers;
+    /**
+     * Skills to have room for. Default 16.
+     */
+    uint32_t skills;
+    /**
+     * Bytes to have room for in all texts together, their NULs included: the PDDL domain,
+     * the layout, the skills, the problems of the training tasks. Default
+     * CRITREG_DEFAULT_SKILL_TEXTS.
+     */
+    uint32_t texts;
+    /**
+     * Nodes of the search for a way to a situation. Default 1024.
+     */
+    uint32_t nodes;
+    /**
+     * Atoms and numbers of :init of a problem to have room for. Default 512.
+     */
+    uint32_t facts;
+    /**
+     * Runs of controllers to keep of the skill that is being learned: after a stop they are
+     * not repeated. Default 512.
+     */
+    uint32_t runs;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
+    /**
+     * Called after each run of a controller. Default NULL.
+     */
+    critreg_training_progress progress;
+    /**
+     * Passed to the progress callback. Default NULL.
+     */
+    void *progress_data;
+} critreg_skills_config;
+
+/**
+ * What was learned of a skill, and what it took.
+ */
+typedef struct critreg_skill_report {
+    /**
+     * Size of this struct in bytes, from critreg_skill_report_init().
+     */
+    uint32_t struct_size;
+    /**
+     * 1 if it was learned; 0 if its turn has not come.
+     */
+    uint32_t finished;
+    /**
+     * 1 if there is a region, which planning uses; else 0.
+     */
+    uint32_t has_region;
+    /**
+     * CRITREG_EXACT, CRITREG_APPROXIMATE, CRITREG_PROVISIONAL or CRITREG_NO_QUALITY.
+     */
+    uint32_t quality;
+    /**
+     * Why there is no region, or none that is exact: CRITREG_WHY_EXPLAINED and so on, as for
+     * critreg_learner_why().
+     */
+    uint32_t why;
+    /**
+     * Training tasks that situations were taken from.
+     */
+    uint32_t tasks;
+    /**
+     * Situations that it was tried in.
+     */
+    uint32_t situations;
+    /**
+     * Runs of controllers, those on the way to a situation included.
+     */
+    uint32_t runs;
+    /**
+     * Questions that were answered.
+     */
+    uint32_t calls;
+    /**
+     * How often it worked.
+     */
+    uint32_t feasible;
+    /**
+     * How often it did not.
+     */
+    uint32_t infeasible;
+    /**
+     * Draws from the region that were tried to certify it.
+     */
+    uint32_t certificate_draws;
+    /**
+     * Those of them that worked.
+     */
+    uint32_t certificate_feasible;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
+    /**
+     * At least this share of the region works, with the confidence of the learner.
+     */
+    double certificate_lower_bound;
+} critreg_skill_report;
 
 /**
  * The call did what it promises.
@@ -2966,6 +3195,301 @@ critreg_status critreg_planner_failures(struct critreg_planner *planner,
 critreg_status critreg_planner_reasons(struct critreg_planner *planner,
                                        uint32_t reason,
                                        uint32_t *count);
+
+/**
+ * What stood in the way most often in the last critreg_plan(), in the words of the skills,
+ * such as "RobotPressButton(robby, button0, stick) needs button0.y <= 2.9"; also if a plan
+ * was found. Empty if it is a reason of the program, or if there is none.
+ *
+ * @param planner The planner; may be called from its callbacks.
+ * @param text Receives the words, ended by NUL; CRITREG_REASON_MAX bytes are always enough.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the words with their NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_reason_text(const struct critreg_planner *planner,
+                                           char *text,
+                                           size_t len,
+                                           size_t *needed);
+
+/**
+ * Fills a configuration with the defaults.
+ *
+ * @param config The configuration.
+ * @param size sizeof *config, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_skills_config_init(struct critreg_skills_config *config,
+                                          size_t size);
+
+/**
+ * How many bytes of memory skills take.
+ *
+ * @param config How much is tried, with the capacities.
+ * @return The number of bytes; 0 if the configuration is wrong or memory cannot be that
+ * large.
+ */
+size_t critreg_skills_size(const struct critreg_skills_config *config);
+
+/**
+ * The alignment in bytes that the memory of skills needs. An array of uint64_t and what
+ * malloc() returns have it.
+ */
+size_t critreg_skills_align(void);
+
+/**
+ * Makes skills in memory of the program; nothing is known of them yet. Add controllers,
+ * skills and training tasks, see SKILLS above.
+ *
+ * @param memory Memory for the skills, aligned to critreg_skills_align(). From now on it
+ * belongs to them: do not write to it, move it or copy it.
+ * @param memory_len Its length in bytes, at least critreg_skills_size().
+ * @param domain The PDDL domain, ended by NUL. Copied.
+ * @param layout Which numbers of a state belong to which object, ended by NUL: a domain
+ * text that declares objects, and groups of those whose names differ from problem to
+ * problem. Copied.
+ * @param config How much is tried, with the length of a state.
+ * @param skills Receives the handle, which lies at the start of the memory.
+ * @return CRITREG_TOO_SMALL if the memory is too short for the capacities;
+ * CRITREG_SYNTAX_ERROR (ask critreg_check_pddl() or critreg_check_domain() where);
+ * CRITREG_CAPACITY_EXCEEDED if the texts find no room; CRITREG_INVALID_ARGUMENT for a wrong
+ * configuration or a text that is not UTF-8; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ */
+critreg_status critreg_skills_init(void *memory,
+                                   size_t memory_len,
+                                   const char *domain,
+                                   const char *layout,
+                                   const struct critreg_skills_config *config,
+                                   struct critreg_skills **skills);
+
+/**
+ * Adds a controller: what several PDDL actions may run, with its continuous parameters.
+ * Actions that no controller names are controllers of their own, without parameters.
+ *
+ * ```c
+ * static const double along[2] = {0.0, 1.0};
+ * status = critreg_skills_add_controller(skills, "PickStick",
+ *     "PickStickFromNothing PickStickFromButton", "?robot ?stick", along, 1);
+ * ```
+ *
+ * @param skills The skills.
+ * @param name A name for it, ended by NUL. Copied.
+ * @param actions The names of its actions, separated by blanks, ended by NUL. NULL: the
+ * action that is called as it is.
+ * @param objects Which parameters of each of these actions are its objects: their variables,
+ * separated by blanks, ended by NUL. NULL: all of the first action. Objects that it is about
+ * belong to it also where its command does not need them.
+ * @param ranges The least and the greatest value of each continuous parameter: 2 * count
+ * numbers. NULL if count is 0. Copied. They are those of its actions when a planner uses the
+ * skills.
+ * @param count How many parameters there are, at most CRITREG_MAX_PARAMETERS.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such action or variable, an action has a
+ * controller already, the name is taken, or a range is upside down;
+ * CRITREG_CAPACITY_EXCEEDED if it finds no room; CRITREG_OUT_OF_SEQUENCE after
+ * critreg_skills_learn() or critreg_skills_resume(); CRITREG_NOT_FINITE, CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_add_controller(struct critreg_skills *skills,
+                                             const char *name,
+                                             const char *actions,
+                                             const char *objects,
+                                             const double *ranges,
+                                             size_t count);
+
+/**
+ * Adds a skill: a controller, or two that run one after the other, and what can be said of
+ * them.
+ *
+ * @param skills The skills.
+ * @param controller The name of the controller, ended by NUL.
+ * @param later NULL; or the name of a controller that runs later, ended by NUL: learned is
+ * then with which parameters of the first the later one works, too.
+ * @param members NULL; or names of predicates of one object, separated by blanks, ended by
+ * NUL. An object is a member of a group of the text only if all of them that are about its
+ * type hold of it.
+ * @param text The domain text, ended by NUL; its objects are roles, see SKILLS above. Its
+ * parameters are the controller's first ones. Copied. NULL for a pair: it follows from the
+ * texts of the two, in which roles of the same name are the same object; a later one that
+ * has no text is described by its objects. NULL for a single controller: it is described by
+ * its objects.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such controller or predicate;
+ * CRITREG_SYNTAX_ERROR (ask critreg_check_domain() where); CRITREG_MISMATCH if an object of
+ * the text is no role, the text has more parameters than the controller, or a pair without
+ * text has a first one without; CRITREG_CAPACITY_EXCEEDED if it finds no room;
+ * CRITREG_OUT_OF_SEQUENCE after critreg_skills_learn() or critreg_skills_resume();
+ * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_add(struct critreg_skills *skills,
+                                  const char *controller,
+                                  const char *later,
+                                  const char *members,
+                                  const char *text);
+
+/**
+ * Adds a training task. Several dozens of them, with different numbers of objects, are a
+ * good beginning: what is never tried is never learned.
+ *
+ * @param skills The skills.
+ * @param problem A problem of the PDDL domain, ended by NUL; its goal does not matter.
+ * Copied.
+ * @param initial The state that it begins in. Copied.
+ * @param len How many numbers it has.
+ * @return CRITREG_SYNTAX_ERROR (ask critreg_check_pddl() where); CRITREG_MISMATCH if the
+ * state is shorter than the layout says; CRITREG_CAPACITY_EXCEEDED if there is no room for
+ * another task, its objects or its numbers; CRITREG_OUT_OF_SEQUENCE after
+ * critreg_skills_learn() or critreg_skills_resume(); CRITREG_NOT_FINITE, CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_add_task(struct critreg_skills *skills,
+                                       const char *problem,
+                                       const double *initial,
+                                       size_t len);
+
+/**
+ * Why the last call on these skills failed that did fail, in words, as
+ * critreg_learner_message().
+ *
+ * @param skills The skills; may be called from their callbacks.
+ * @param text Receives the words, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the words with their NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_message(const struct critreg_skills *skills,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+
+/**
+ * Learns all skills, one after the other, by trying operators in the program's simulator:
+ * situations are collected from the training tasks, those that differ most are chosen, and
+ * a learner asks with which parameters, or in which states, a controller works. That a
+ * skill has no region is no error; critreg_skills_report() tells why.
+ *
+ * If a callback stops it, call it again to go on: skills that were learned stay, and of the
+ * one that was being learned the runs that were kept (critreg_skills_config.runs) are not
+ * repeated. What is learned is the same as if nothing had happened. Once all is learned it
+ * returns at once.
+ *
+ * @param skills The skills.
+ * @param callbacks What may be asked, from critreg_callbacks_init(): execute and holds; and
+ * sample, if it is set, which proposes where to look for parameters that work, as if nothing
+ * came later (one operator, advised 0). Its skills and advise do not count.
+ * @param user_data Passed to the callbacks.
+ * @return The status of a callback that was not CRITREG_OK; CRITREG_CAPACITY_EXCEEDED if
+ * the operators or atoms of a task, or the features of a text, find no room;
+ * CRITREG_INVALID_ARGUMENT or CRITREG_NOT_FINITE for an answer of a callback that is none;
+ * CRITREG_OUT_OF_SEQUENCE if there is no training task; CRITREG_BUSY from a callback;
+ * CRITREG_NULL_POINTER, also if execute or holds are not set, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE. In all cases the skills can be used as far as they were learned.
+ */
+critreg_status critreg_skills_learn(struct critreg_skills *skills,
+                                    const struct critreg_callbacks *callbacks,
+                                    void *user_data);
+
+/**
+ * Prepares a report for critreg_skills_report().
+ *
+ * @param report The report.
+ * @param size sizeof *report; see critreg_config_init().
+ * @return As critreg_config_init().
+ */
+critreg_status critreg_skill_report_init(struct critreg_skill_report *report,
+                                         size_t size);
+
+/**
+ * What was learned of a skill, and what it took.
+ *
+ * @param skills The skills.
+ * @param index Which skill, from 0, in the order in which they were added.
+ * @param report A report from critreg_skill_report_init(), to be filled.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such skill or the report was not
+ * initialised; CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_report(struct critreg_skills *skills,
+                                     size_t index,
+                                     struct critreg_skill_report *report);
+
+/**
+ * Writes the region of a skill as text, such as "grasp.y <= 2.9 (zone.top - robot.radius)";
+ * or, if it has none, why.
+ *
+ * @param skills The skills.
+ * @param index Which skill, from 0.
+ * @param text Receives the text, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_NO_REGION if there is none: the text then tells why; CRITREG_TOO_SMALL;
+ * CRITREG_INVALID_ARGUMENT if there is no such skill; CRITREG_BUSY, CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_format(struct critreg_skills *skills,
+                                     size_t index,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
+
+/**
+ * Writes the domain text of a skill: as it was added, or as it was made of the texts of its
+ * members. With it, critreg_region_parse() makes a region of what critreg_skills_format()
+ * wrote.
+ *
+ * @param skills The skills.
+ * @param index Which skill, from 0.
+ * @param text Receives the text, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_TOO_SMALL; CRITREG_INVALID_ARGUMENT if there is no such skill;
+ * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_domain(struct critreg_skills *skills,
+                                     size_t index,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
+
+/**
+ * Saves what was learned so far: the skills that are learned, and the runs that were kept
+ * of the one that is being learned. Versioned, checksummed, the same on every machine.
+ *
+ * @param skills The skills.
+ * @param bytes Receives the bytes.
+ * @param len Length of bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives how many bytes it takes, also if the buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_OUT_OF_SEQUENCE if
+ * there is no training task yet; CRITREG_CAPACITY_EXCEEDED, CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_save(struct critreg_skills *skills,
+                                   uint8_t *bytes,
+                                   size_t len,
+                                   size_t *needed);
+
+/**
+ * Brings fresh skills to the state that critreg_skills_save() wrote; critreg_skills_learn()
+ * then goes on from there.
+ *
+ * @param skills Skills that were just made, with the texts, configuration, controllers,
+ * skills and training tasks of the saved ones. They may have room for more.
+ * @param bytes The saved bytes.
+ * @param len How many there are.
+ * @return CRITREG_CORRUPT for damaged bytes; CRITREG_MISMATCH if they belong to other texts,
+ * tasks or another configuration; CRITREG_CAPACITY_EXCEEDED if the runs that were kept find
+ * no room (critreg_skills_config.runs); CRITREG_OUT_OF_SEQUENCE if the skills are not fresh:
+ * in all these cases nothing is known of any skill; CRITREG_BUSY, CRITREG_NULL_POINTER,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_resume(struct critreg_skills *skills,
+                                     const uint8_t *bytes,
+                                     size_t len);
 
 /**
  * Reads a domain text and says what is wrong with it, such as

@@ -2,7 +2,9 @@
 
 use super::tuning::CONSTANT_RUNS;
 use crate::domain::MAX_TYPES;
+use crate::error::Error;
 use crate::task::{ControllerId, MAX_ARGUMENTS, ObjectId, State};
+use crate::wire::{Reader, Writer};
 
 /// Attributes of an object of which more is known than that they change.
 const TRACKED: usize = 8;
@@ -109,6 +111,37 @@ impl Changes {
                 }
             }
         }
+    }
+}
+
+impl Changes {
+    /// Writes what was seen.
+    pub(super) fn write(&self, writer: &mut Writer<'_>) {
+        writer.u32(self.runs);
+        for own in &self.own {
+            writer.u32(own.changed);
+            writer.u32(own.varies);
+            own.values.iter().for_each(|value| writer.f64(*value));
+        }
+        self.others.iter().for_each(|bits| writer.u32(*bits));
+    }
+
+    /// Reads what [`Changes::write`] wrote.
+    pub(super) fn read(reader: &mut Reader<'_>) -> Result<Changes, Error> {
+        let mut changes = Changes {
+            runs: reader.u32()?,
+            ..Changes::default()
+        };
+        for own in &mut changes.own {
+            (own.changed, own.varies) = (reader.u32()?, reader.u32()?);
+            for value in &mut own.values {
+                *value = reader.f64()?;
+            }
+        }
+        for bits in &mut changes.others {
+            *bits = reader.u32()?;
+        }
+        Ok(changes)
     }
 }
 

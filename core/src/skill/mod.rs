@@ -110,5 +110,6 @@ pub use room::{SkillRoom, TrainingRoom};
 pub use setting::{Practice, Setting, Signature};
 pub use skills::{Skill, Skills};
 pub use training::{
-    Candidate, Learned, MAX_CHAIN, Oracle, Situation, Trainer, Training, TrainingMemory,
+    Candidate, Course, Journal, Learned, MAX_CHAIN, Oracle, Situation, Trainer, Training,
+    TrainingMemory,
 };

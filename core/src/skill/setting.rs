@@ -69,7 +69,7 @@ pub trait Setting {
 }
 
 /// What skills are learned in: a setting with training tasks, in which operators can be
-/// tried. Situations know their task by its place among the training tasks.
+/// tried. Which task a state is of, the state knows: [`State::mark`].
 pub trait Practice: Setting {
     /// A training task.
     type Task;
@@ -88,11 +88,11 @@ pub trait Practice: Setting {
         operators: &mut VecView<GroundOperator>,
     ) -> Result<(Atoms, AtomSet), Error>;
 
-    /// Whether an atom of a task holds in a state.
+    /// Whether an atom holds in a state.
     ///
     /// # Errors
     /// Whatever ends learning.
-    fn holds(&self, task: u16, atom: &GroundAtom, state: &State) -> Result<bool, Error>;
+    fn holds(&self, atom: &GroundAtom, state: &State) -> Result<bool, Error>;
 
     /// Runs an operator's controller from a state and writes the state afterwards. Returns
     /// how many actions it took; zero if it failed.
@@ -101,7 +101,6 @@ pub trait Practice: Setting {
     /// Whatever ends learning. That the operator fails is no error.
     fn execute(
         &self,
-        task: u16,
         ground: &GroundOperator,
         parameters: &[f64],
         state: &mut State,
@@ -114,7 +113,6 @@ pub trait Practice: Setting {
     /// Whatever ends learning.
     fn try_operator(
         &self,
-        task: u16,
         ground: &GroundOperator,
         parameters: &[f64],
         state: &mut State,
@@ -189,13 +187,12 @@ impl<E: Describe> Practice for E {
         Ok((atoms, initial))
     }
 
-    fn holds(&self, _: u16, atom: &GroundAtom, state: &State) -> Result<bool, Error> {
+    fn holds(&self, atom: &GroundAtom, state: &State) -> Result<bool, Error> {
         Ok(atom.holds(self, state))
     }
 
     fn execute(
         &self,
-        _: u16,
         ground: &GroundOperator,
         parameters: &[f64],
         state: &mut State,
@@ -209,7 +206,6 @@ impl<E: Describe> Practice for E {
 
     fn try_operator(
         &self,
-        _: u16,
         ground: &GroundOperator,
         parameters: &[f64],
         state: &mut State,

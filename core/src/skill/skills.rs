@@ -3,11 +3,11 @@
 use super::changes::Changes;
 use super::description::{Describe, Description};
 use super::role_binding::RoleBinding;
-use super::setting::Setting;
+use super::setting::{Setting, Signature};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::region::Region;
-use crate::task::{ControllerId, MAX_ARGUMENTS, MAX_STATE_VALUES, ObjectId};
+use crate::task::{ControllerId, MAX_ARGUMENTS, MAX_STATE_VALUES, ObjectId, ObjectType};
 use heapless::Vec;
 
 /// What is known of a described controller, or of two.
@@ -26,27 +26,28 @@ pub struct Skill {
 const _: () = assert!(MAX_STATE_VALUES <= 64, "there is a bit per number");
 
 impl Skill {
-    /// Nothing known yet of what is described.
+    /// Nothing known yet of what is described, of controllers like these; the types are those
+    /// of the objects of a state.
     ///
     /// # Errors
-    /// [`Error::Mismatch`] if there is no such controller, or it has fewer parameters than
-    /// the text; those of [`Domain::parse`] and of [`RoleBinding::new`].
-    pub fn new(setting: &impl Setting, description: &Description) -> Result<Self, Error> {
+    /// [`Error::Mismatch`] if the text has more parameters than the controller; those of
+    /// [`Domain::parse`] and of [`RoleBinding::new`].
+    pub fn new(
+        description: &Description,
+        types: &[ObjectType],
+        controller: Signature,
+        later: Option<Signature>,
+    ) -> Result<Self, Error> {
         let domain = Domain::parse(description.text)?;
-        let controller = setting.signature(description.controller)?;
         if domain.parameters().len() > controller.parameters {
             return Err(Error::Mismatch(
                 "a text has more parameters than its controller",
             ));
         }
-        let later = match description.later {
-            Some(later) => setting.signature(later)?.arguments,
-            None => &[],
-        };
-        let arguments = controller.arguments;
+        let later = later.map_or(&[][..], |later| later.arguments);
         Ok(Skill {
             description: *description,
-            binding: RoleBinding::new(&domain, setting.types(), arguments, later)?,
+            binding: RoleBinding::new(&domain, types, controller.arguments, later)?,
             domain,
             shared: Vec::new(),
             region: None,
@@ -61,14 +62,15 @@ impl Skill {
     /// # Errors
     /// Those of [`Skill::new`].
     pub fn of_same_objects(
-        setting: &impl Setting,
         description: &Description,
+        types: &[ObjectType],
+        controller: Signature,
+        later: Option<Signature>,
     ) -> Result<Self, Error> {
-        let mut skill = Skill::new(setting, description)?;
-        if let Some(later) = description.later {
-            let own = setting.signature(description.controller)?.arguments;
-            let later = setting.signature(later)?.arguments;
-            skill.shared = RoleBinding::shared(&skill.domain, setting.types(), own, later);
+        let mut skill = Skill::new(description, types, controller, later)?;
+        if let Some(later) = later {
+            let (own, later) = (controller.arguments, later.arguments);
+            skill.shared = RoleBinding::shared(&skill.domain, types, own, later);
         }
         Ok(skill)
     }
@@ -154,7 +156,10 @@ impl<'m> Skills<'m> {
         let changes = changes.ok_or(Error::CapacityExceeded("changes of controllers"))?;
         changes.fill(Changes::default());
         for (skill, description) in skills.iter_mut().zip(E::DESCRIPTIONS) {
-            *skill = Some(Skill::new(environment, description)?);
+            let controller = environment.signature(description.controller)?;
+            let later = description.later.map(|id| environment.signature(id));
+            let later = later.transpose()?;
+            *skill = Some(Skill::new(description, E::TYPES, controller, later)?);
         }
         Ok(Skills { skills, changes })
     }
@@ -191,6 +196,16 @@ impl<'m> Skills<'m> {
     /// What a controller changes, as far as was seen.
     pub fn changes(&self, controller: ControllerId) -> Changes {
         Changes::of(self.changes, controller)
+    }
+
+    /// What each controller changes.
+    pub fn all_changes(&self) -> &[Changes] {
+        self.changes
+    }
+
+    /// Likewise, to go on from other observations.
+    pub fn all_changes_mut(&mut self) -> &mut [Changes] {
+        self.changes
     }
 
     /// The skills, to look up.

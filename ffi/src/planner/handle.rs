@@ -1,6 +1,7 @@
 //! A planner in the caller's memory.
 
 use crate::boundary::handle::{self, Exclusive, Handle};
+use crate::boundary::limits::CRITREG_REASON_MAX;
 use crate::boundary::status::{Fallible, critreg_status};
 use crate::planner::metrics::critreg_metrics;
 use crate::planner::tables::Tables;
@@ -20,6 +21,8 @@ pub struct critreg_planner {
     pub(crate) reason: Cell<Reason>,
     /// The atom that the last failure is about, if it is one.
     pub(crate) culprit: Cell<Option<GroundAtom>>,
+    /// What stood in the way most often, as skills say it.
+    pub(crate) words: Words,
     problem: &'static Problem<'static>,
     inner: Exclusive<Inner>,
 }
@@ -52,12 +55,18 @@ impl critreg_planner {
     ///
     /// # Safety
     /// As for [`handle::put`].
-    pub(crate) unsafe fn put(place: *mut critreg_planner, tables: Tables, settings: plan::Config) {
+    pub(crate) unsafe fn put(
+        place: *mut critreg_planner,
+        tables: Tables,
+        settings: plan::Config,
+        words: Words,
+    ) {
         let made = critreg_planner {
             seal: 0,
             metrics: Cell::new(critreg_metrics::NONE),
             reason: Cell::new(Reason::Nothing),
             culprit: Cell::new(None),
+            words,
             problem: tables.problem,
             inner: Exclusive::new(Inner {
                 tables,
@@ -67,6 +76,67 @@ impl critreg_planner {
         };
         // SAFETY: by this function's contract.
         unsafe { handle::put(place, made) }
+    }
+}
+
+/// Words in memory of the planner, which can be read while it is in use. What finds no room is
+/// cut off.
+pub(crate) struct Words {
+    bytes: &'static [Cell<u8>],
+    length: Cell<usize>,
+}
+
+impl Words {
+    /// None yet.
+    pub(crate) fn new(bytes: &'static [Cell<u8>]) -> Words {
+        Words {
+            bytes,
+            length: Cell::new(0),
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.length.get() == 0
+    }
+
+    /// Forgets the words, and takes others.
+    pub(crate) fn begin(&self) -> Writer<'_> {
+        self.length.set(0);
+        Writer(self)
+    }
+}
+
+/// Writes words.
+pub(crate) struct Writer<'w>(&'w Words);
+
+impl fmt::Write for Writer<'_> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let Writer(words) = self;
+        for byte in text.bytes() {
+            if let Some(slot) = words.bytes.get(words.length.get()) {
+                slot.set(byte);
+                words.length.set(words.length.get() + 1);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Words {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut copy = [0; CRITREG_REASON_MAX];
+        let length = self.length.get();
+        for (slot, byte) in copy.iter_mut().zip(self.bytes) {
+            *slot = byte.get();
+        }
+        let copy = copy.get(..length).unwrap_or_default();
+        // A character that was cut off is left out.
+        let whole = match core::str::from_utf8(copy) {
+            Ok(whole) => whole,
+            Err(error) => core::str::from_utf8(copy.get(..error.valid_up_to()).unwrap_or_default())
+                .unwrap_or_default(),
+        };
+        f.write_str(whole)
     }
 }
 
@@ -87,11 +157,11 @@ pub(crate) unsafe fn with_planner(
 }
 
 /// A failure, and the atom it is about.
-pub(crate) struct Words<'a>(pub(crate) &'a critreg_planner);
+pub(crate) struct Message<'a>(pub(crate) &'a critreg_planner);
 
-impl fmt::Display for Words<'_> {
+impl fmt::Display for Message<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Words(handle) = self;
+        let Message(handle) = self;
         handle.inner.message().fmt(f)?;
         match handle.culprit.get() {
             Some(atom) => write!(f, ": {}", handle.problem.atom_text(&atom)),

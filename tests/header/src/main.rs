@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 30] = [
+const SOURCES: [&str; 36] = [
     "boundary/status.rs",
     "boundary/limits.rs",
     "boundary/precision.rs",
@@ -33,6 +33,12 @@ const SOURCES: [&str; 30] = [
     "planner/metrics.rs",
     "planner/why.rs",
     "planner/inspection.rs",
+    "skill/config.rs",
+    "skill/handle.rs",
+    "skill/making.rs",
+    "skill/learning.rs",
+    "skill/report.rs",
+    "skill/saving.rs",
     "check.rs",
     "stick_button/environment.rs",
     "stick_button/world.rs",

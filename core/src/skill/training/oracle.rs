@@ -136,7 +136,7 @@ impl<'a, E: Practice> Oracle<'a, E> {
             },
         };
         let mut after = state.clone();
-        let works = environment.try_operator(situation.task, ground, &parameters, &mut after)?;
+        let works = environment.try_operator(ground, &parameters, &mut after)?;
         self.runs += 1;
         if !works {
             return Ok(Tried::Fails);

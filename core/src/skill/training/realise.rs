@@ -83,7 +83,6 @@ impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
         });
         let steps = chains.min_by_key(|steps| steps.len());
         let situation = steps.map(|steps| Situation {
-            task: self.candidate.task,
             state,
             steps,
             outcome: None,
@@ -175,7 +174,6 @@ impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
     fn world(&self) -> TaskWorld<'_, E> {
         TaskWorld {
             environment: self.environment,
-            task: self.candidate.task,
             atoms: &self.atoms,
         }
     }
@@ -194,7 +192,6 @@ impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
 /// What skills are learned in, as a world to plan in.
 struct TaskWorld<'a, E> {
     environment: &'a E,
-    task: u16,
     atoms: &'a Atoms,
 }
 
@@ -203,7 +200,7 @@ impl<E: Practice> TaskWorld<'_, E> {
     fn abstraction(&mut self, state: &State) -> Result<AtomSet, Error> {
         let mut holding = AtomSet::EMPTY;
         for (place, atom) in (0..).zip(self.atoms.as_slice()) {
-            if self.environment.holds(self.task, atom, state)? {
+            if self.environment.holds(atom, state)? {
                 holding = holding.union(AtomSet::single(place));
             }
         }
@@ -225,7 +222,7 @@ impl<E: Practice> World for TaskWorld<'_, E> {
     fn holds(&mut self, atom: u32, state: &State) -> Result<bool, Error> {
         let atom = self.atoms.as_slice().get(atom as usize);
         let atom = atom.ok_or(Error::Mismatch("an atom is not of this task"))?;
-        self.environment.holds(self.task, atom, state)
+        self.environment.holds(atom, state)
     }
 
     fn execute(
@@ -236,8 +233,7 @@ impl<E: Practice> World for TaskWorld<'_, E> {
         after: &mut State,
     ) -> Result<u32, Error> {
         after.clone_from(before);
-        self.environment
-            .execute(self.task, ground, parameters, after)
+        self.environment.execute(ground, parameters, after)
     }
 }
 

@@ -20,8 +20,6 @@ pub const MAX_CHAIN: usize = 4;
 pub struct Situation {
     /// The state.
     pub state: State,
-    /// The task that it comes from, by its place.
-    pub(super) task: u16,
     /// The operator, and then those up to the later one, if there is one.
     pub steps: Vec<GroundOperator, MAX_CHAIN>,
     /// What came of trying it, where that is tried once.
