@@ -12,48 +12,22 @@
 #include "stick_button.h"
 
 #define NUMBERS 22              /* of a state with four buttons */
-#define TRAINING 60             /* tasks to learn from, with one or two buttons */
-
-static const char LAYOUT[] =    /* which numbers of a state belong to which object */
-    "type robot { x: length, y: length, theta: angle }\n"
-    "type stick { x: length, y: length, theta: angle, held: flag }\n"
-    "type holder { x: length, y: length, theta: angle }\n"
-    "type button { x: length, y: length, pressed: flag }\n"
-    "object robby: robot  object stick: stick  object holder: holder  object buttons[4]: button\n";
-
-#define CONSTANTS                                                               \
-    "constant zone.top = 3.0: length  constant robot.radius = 0.1: length\n"    \
-    "constant button.radius = 0.1: length  constant stick.width = 3.0: length\n" \
-    "constant stick.height = 0.05: length  constant tip.width = 0.05: length\n" \
-    "constant holder.width = 0.3: length  constant holder.height = 0.125: length\n" \
-    "object robot { x: length, y: length, theta: angle }\n"
-#define STICK CONSTANTS                                                         \
-    "object stick { x: length, y: length, theta: angle }\n"                     \
-    "object holder { x: length, y: length, theta: angle }\n"                    \
-    "point holder.centre = holder + (0.5 * holder.width, 0.5 * holder.height)\n"
-
-static const char PICK[] = STICK    /* where along the stick */
-    "parameter mu in [0, 1]\n"
-    "point grasp = stick + (mu * stick.width, 0.5 * stick.height)\n"
-    "point stick.tip = stick + (stick.width - tip.width, 0.5 * stick.height)\n";
-static const char PLACE[] = STICK   /* how far along the holder the robot lets go */
-    "parameter o in [-1, 1]\n"
-    "point release = world + (holder.x - 0.5*holder.height, holder.y + o * 0.5*stick.width)\n";
-static const char PRESS[] = CONSTANTS "object button { x: length, y: length }\n";
+#define TRAINING 150            /* tasks to learn from, with one or two buttons */
 
 #define CHECK(call) check((call), #call)
 
+static const double along[2] = {0.0, 1.0}, across[2] = {-1.0, 1.0};
+static const char *const names[] = {"picking the stick", "pressing by hand", "placing the stick",
+                                    "picking it and pressing with it"};
+
 static void check(critreg_status status, const char *call)
 {
-    if (status == CRITREG_OK)
-        return;
-    fprintf(stderr, "%s: %s\n", call, critreg_strerror(status));
-    exit(EXIT_FAILURE);
+    if (status != CRITREG_OK)
+        exit(fprintf(stderr, "%s: %s\n", call, critreg_strerror(status)));
 }
 
 static critreg_skills *learn(const critreg_callbacks *callbacks)
 {
-    static const double along[2] = {0.0, 1.0}, across[2] = {-1.0, 1.0};
     critreg_skills_config config;
     critreg_skills *skills;
     void *memory;
@@ -77,21 +51,27 @@ static critreg_skills *learn(const critreg_callbacks *callbacks)
     CHECK(critreg_skills_add(skills, "PlaceStick", NULL, NULL, PLACE));
     CHECK(critreg_skills_add(skills, "PickStick", "StickPress", NULL, NULL));
     for (i = 0; i < TRAINING; i++) {
+        uint32_t buttons = 1 + i % 2;
         double state[NUMBERS];
-        write_problem(1 + i % 2, text, sizeof text);
-        CHECK(critreg_stick_button_task(1000 + i, 0, 1 + i % 2, state, NUMBERS));
-        CHECK(critreg_skills_add_task(skills, text, state, critreg_stick_button_state_len(1 + i % 2)));
+        write_problem(buttons, text, sizeof text);
+        CHECK(critreg_stick_button_task(1000 + i, 0, buttons, state, NUMBERS));
+        CHECK(critreg_skills_add_task(skills, text, state,
+                                      critreg_stick_button_state_len(buttons)));
     }
     CHECK(critreg_skills_learn(skills, callbacks, NULL));
-    for (i = 0; critreg_skills_format(skills, i, text, sizeof text, NULL) != CRITREG_INVALID_ARGUMENT; i++)
-        printf("skill %u: %s\n", (unsigned)i, text);
+    for (i = 0; i < sizeof names / sizeof *names; i++) {
+        critreg_skill_report report;
+        CHECK(critreg_skill_report_init(&report, sizeof report));
+        CHECK(critreg_skills_report(skills, i, &report));
+        CHECK(critreg_skills_format(skills, i, text, sizeof text, NULL));
+        printf("region of %s, after %" PRIu32 " calls: %s\n", names[i], report.calls, text);
+    }
     return skills;
 }
 
 /* Plans tasks with so many buttons, or one more, and prints a row of the table. */
 static void plan(int tasks, uint32_t least, uint32_t most, const critreg_callbacks *callbacks)
 {
-    static const double along[2] = {0.0, 1.0}, across[2] = {-1.0, 1.0};
     static uint64_t memory[CRITREG_PLANNER_WORDS(NUMBERS)];
     double samples = 0.0, operators = 0.0, initial[NUMBERS];
     clock_t begin = clock();
@@ -111,14 +91,15 @@ static void plan(int tasks, uint32_t least, uint32_t most, const critreg_callbac
         CHECK(critreg_planner_set_ranges(planner, "PlaceStickFromNothing", across, 1));
         CHECK(critreg_planner_set_ranges(planner, "PlaceStickFromButton", across, 1));
         CHECK(critreg_stick_button_task(1 + (uint64_t)task, 0, buttons, initial, NUMBERS));
-        solved += critreg_plan(planner, callbacks, initial, 1 + (uint64_t)task, NULL, NULL) == CRITREG_OK;
+        solved += critreg_plan(planner, callbacks, initial, 1 + (uint64_t)task, NULL, NULL)
+            == CRITREG_OK;
         CHECK(critreg_metrics_init(&metrics, sizeof metrics));
         CHECK(critreg_planner_metrics(planner, &metrics));
         samples += metrics.conclusion == CRITREG_SOLVED ? metrics.samples : 0;
         operators += metrics.plan_length;
     }
-    printf("tests: %u to %u buttons, sampler: %s, solved: %d/%d, samples_mean: %.2f, "
-           "plan_length_mean: %.2f, time_us_mean: %.1f\n", least, most,
+    printf("tests: %s, sampler: %s, solved: %d/%d, samples_mean: %.2f, "
+           "plan_length_mean: %.2f, time_us_mean: %.1f\n", most > 1 ? "3 or 4 buttons" : "1 button",
            callbacks->skills != NULL ? "learned" : "original", solved, tasks,
            samples / (solved + !solved), operators / (solved + !solved),
            1e6 * (double)(clock() - begin) / CLOCKS_PER_SEC / tasks);

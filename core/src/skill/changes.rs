@@ -91,12 +91,11 @@ impl Changes {
     /// Makes of a state what is expected of it after a run of the controller with these
     /// objects. What cannot be told is added to `unknown`, a bit per number of the state.
     pub(super) fn predict(&self, objects: &[ObjectId], state: &mut State, unknown: &mut u64) {
-        let mut number = 0;
         for index in 0..state.objects().count() {
             let object = ObjectId(index as u8);
+            let first = state.place(object).unwrap_or(0);
             for attribute in 0..state.attributes(object).map_or(0, <[f64]>::len) {
-                let bit = 1u64.wrapping_shl(number);
-                number += 1;
+                let bit = 1u64.wrapping_shl((first + attribute) as u32);
                 if !self.affect(objects, state, object, attribute) {
                     continue;
                 }

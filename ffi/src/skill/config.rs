@@ -49,7 +49,7 @@ pub struct critreg_skills_config {
     pub budget: u32,
     /// Situations that a skill with parameters is tried in, chosen to differ. Default 20.
     pub situations: u32,
-    /// Situations that a skill without parameters is tried in, each once. Default 60.
+    /// Situations that a skill without parameters is tried in, each once. Default 150.
     pub states: u32,
     /// Training tasks that situations of one skill are taken from. Default 150.
     pub situation_tasks: u32,
@@ -92,7 +92,7 @@ fn defaults() -> critreg_skills_config {
         chained: training.chained,
         budget: training.budget,
         situations: training.situations as u32,
-        states: 60,
+        states: training.states as u32,
         situation_tasks: training.tasks as u32,
         tasks: 150,
         controllers: 16,
