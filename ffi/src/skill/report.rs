@@ -215,7 +215,7 @@ impl fmt::Display for Words<'_> {
             Some(learned) if learned.situations == 0 => {
                 f.write_str("no training task leads to a situation in which it could be tried")
             }
-            Some(learned) if learned.quality == Quality::None => learned.why.fmt(f),
+            Some(learned) if learned.quality < Quality::Approximate => learned.why.fmt(f),
             Some(_) => f.write_str(
                 "the later controller worked wherever the first one did: nothing is to be said",
             ),
