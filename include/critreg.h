@@ -15,6 +15,7 @@
  *     critreg_sample_regions   the same, good for what comes after it, too
  *     critreg_planner_init     PDDL texts and memory make a planner
  *     critreg_plan             operators and parameters that reach a goal
+ *     critreg_skills_learn     what a planner is to know of all controllers, by trying them
  *
  * This file is the manual. It is generated from the library; do not edit it.
  *
@@ -22,12 +23,13 @@
  * MEMORY
  *
  * The library never allocates memory, and it keeps no pointer that is passed to
- * it after the call returns, with two exceptions: the memory a learner, planner or
- * region was made in, and the progress callback of a learner with its data. Texts,
+ * it after the call returns, with two exceptions: the memory a learner, planner, region
+ * or skills were made in, and the progress callback of a learner or of skills with its
+ * data. Texts,
  * configurations and manual samples are copied; instances are passed to every
  * call that needs them.
  *
- * The memory of a learner, planner or region belongs to it from its init, parse or load
+ * The memory of a learner, planner, region or skills belongs to it from its init, parse or load
  * call until the program stops using the handle. In that time it must stay where
  * it is and must not be written to or copied, because the handle in it refers to
  * its own address. There is nothing to free: when the program is done with the
@@ -51,7 +53,7 @@
  * bits, in a library without CRITREG_ALGORITHM1. The macros of
  * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
  *
- * A planner with the default capacities takes 299688 bytes, and 264 more for every
+ * A planner with the default capacities takes 301248 bytes, and 264 more for every
  * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
  *
  *
@@ -376,12 +378,12 @@
  *
  * It prints "Drive 3.0" and "Light 0.0".
  *
- * Regions are brought in by two more callbacks: sample draws from them, and advise
- * tells the search that a sequence of operators is not expected to work before
- * anything is drawn for it. Both are advice: if there is no plan before patience ends,
- * planning begins anew without it. critreg_metrics tells what planning cost, which operator
- * failed most often, and which reason of the program's was given most often.
- * c_examples/plan_tasks.c shows all of it.
+ * What is known of actions is brought in by skills, see the next chapter; or by two more
+ * callbacks: sample draws from regions, and advise tells the search that a sequence of
+ * operators is not expected to work before anything is drawn for it. All of it is advice: if
+ * there is no plan before patience ends, planning begins anew without it. critreg_metrics
+ * tells what planning cost, which operator failed most often, and which reason was given most
+ * often.
  *
  * The PDDL that is understood is that of classical planning, STRIPS, ADL and the costs
  * of actions:
@@ -425,6 +427,66 @@
  * all predicates and of all actions together; 768 words such as "and", preconditions and
  * effects in all; 255 objects, 128 words and atoms of the goal. The rest is in
  * critreg_planner_config.
+ *
+ *
+ * SKILLS
+ *
+ * Skills are what is to be known of the program's controllers: with which parameters one
+ * works, with which of them a later one works, too, and in which states one works at all.
+ * critreg_skills_learn() finds out by trying operators in the program's simulator, and
+ * critreg_plan() takes what was learned in one field:
+ *
+ *     critreg_skills_init(memory, memory_len, DOMAIN, LAYOUT, &config, &skills);
+ *     critreg_skills_add_controller(skills, "Pick", NULL, NULL, ranges, 1);
+ *     critreg_skills_add(skills, "Pick", NULL, NULL, PICK);         // Pick alone
+ *     critreg_skills_add(skills, "Pick", "Place", NULL, NULL);      // and before Place
+ *     critreg_skills_add_task(skills, problem, state, state_len);   // several dozens
+ *     critreg_skills_learn(skills, &callbacks, user_data);
+ *     callbacks.skills = skills;
+ *     critreg_plan(planner, &callbacks, initial, seed, user_data, &length);
+ *
+ * Parameters are then drawn from where the step and those that come later are expected to
+ * work, sequences of operators that cannot work are postponed (or pruned, see
+ * critreg_callbacks.prune), and critreg_planner_why() and critreg_planner_reason_text() say
+ * what stands in the way, as "Press(robby, button0) needs button0.y <= 2.9". Training tasks
+ * and tasks to plan may have different objects. c_examples/plan_tasks.c and
+ * c_examples/own_world.c are complete programs.
+ *
+ * The layout says which numbers of a state belong to which object. It is a domain text that
+ * declares objects; their numbers follow one another in its order:
+ *
+ *     type robot { x: length, y: length }
+ *     type box   { x: length, y: length, held: flag }
+ *     object robby: robot
+ *     object boxes[5]: box
+ *
+ * An object that the layout names is the object of that name in the problem, or one that the
+ * problem does not have. A group stands for all other objects of its type in the problem, in
+ * the order of their names (box2 before box10), as many as there are. Objects of neither kind
+ * have no numbers, and numbers behind the last belong to nobody.
+ *
+ * A skill is described by a domain text, as of a learner, whose objects are roles. Their names
+ * say who fills them; their attributes are those of the type, as many as matter:
+ *
+ *     box            the controller's object of the type box; if it has none, that of the
+ *                    later one; else the only object of that type in the state
+ *     box2           likewise the second object of the type
+ *     later_box      the later controller's object, even if the controller has one, too
+ *     other_box      the only object of the type that is none of the controllers'
+ *     box[4]         a group: all objects of the type
+ *     other_box[4]   a group: those that are none of the controllers'
+ *
+ * With parameters, a text asks with which of them the controller works; those that it does not
+ * declare are drawn as the program draws them. Without, it asks in which states. Of a pair it
+ * asks with which parameters of the first, or in which states, the later one works, with what
+ * is needed in between; and it needs no text of its own: it follows from those of the two, in
+ * which roles of the same name are the same object. Skills of single controllers come first,
+ * in the order in which they are needed on the way.
+ *
+ * Learning is deterministic, can be stopped by any callback and goes on where it was, in the
+ * same memory or, with critreg_skills_save() and critreg_skills_resume(), in another. A state
+ * has at most CRITREG_MAX_STATE_NUMBERS numbers, a task CRITREG_MAX_STATE_OBJECTS objects, and
+ * a training task 128 ground atoms and CRITREG_MAX_TRAINING_OPERATORS ground operators.
  *
  *
  * LINKING
@@ -1871,7 +1933,7 @@ typedef struct critreg_skills_config {
      */
     uint32_t situations;
     /**
-     * Situations that a skill without parameters is tried in, each once. Default 60.
+     * Situations that a skill without parameters is tried in, each once. Default 150.
      */
     uint32_t states;
     /**

@@ -17,8 +17,11 @@
 //! |---|---|
 //! | [`Skills`] | the store: a [`Skill`] for each text, with its region, and what controllers change ([`Changes`]) |
 //! | [`RoleBinding`] | how the objects of a text, its *roles*, are filled from a [`Context`]: a state and the objects of ground operators |
+//! | [`write_pair`] | the text of two controllers, of what is said of each |
+//! | [`Setting`], [`Practice`] | what is asked of an environment, or of a program behind callbacks: to use skills, and to learn them |
 //! | [`Situation`] | a state and the operators to try from it: an instance that can be run |
 //! | [`Oracle`] | tries situations and answers the learner's questions |
+//! | [`Journal`], [`Course`] | the runs of a skill that is being learned, and what was learned so far, to be saved |
 //! | joint region | of a step in a plan skeleton: what its region and those of later steps have in common |
 //! | [`RegionSampler`] | draws the parameters of a step from its joint region |
 //! | [`RegionGuide`] | postpones, or prunes, a sequence of operators with an empty joint region |

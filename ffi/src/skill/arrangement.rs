@@ -41,8 +41,8 @@ pub(crate) fn arranged(
                 first += count;
             }
             Some(member) if member.index == 0 => {
-                for id in members(facts, problem, object)? {
-                    set(&mut entries, id, (kind, first, count));
+                for id in members(facts, problem, object)?.iter() {
+                    set(&mut entries, *id, (kind, first, count));
                     first += count;
                 }
             }
@@ -54,7 +54,7 @@ pub(crate) fn arranged(
             "a state has fewer numbers than the layout has for the objects of its problem",
         ));
     }
-    State::arranged(mark, entries, numbers)
+    State::arranged(mark, entries.iter().copied(), numbers)
 }
 
 fn set(entries: &mut Entries, ObjectId(id): ObjectId, entry: (TypeId, usize, usize)) {

@@ -548,8 +548,8 @@ impl Inner {
         }
         let (own, rest) = core::mem::take(&mut self.narrowing).split_at_mut(all.len());
         self.narrowing = rest;
-        for (slot, id) in own.iter_mut().zip(all) {
-            *slot = PredicateId(id);
+        for (slot, id) in own.iter_mut().zip(&all) {
+            *slot = PredicateId(*id);
         }
         Ok(own)
     }
