@@ -6,7 +6,7 @@
  * Skills are learned in 60 tasks, and 50 others are planned with and without them. Of the
  * sequence "pick, then push in" nothing is said by hand: it follows from the texts of the two.
  *
- * Usage: own_world [number of tasks]
+ * Usage: own_world [number of tasks [number of training tasks]]
  */
 #include <math.h>
 #include <stdio.h>
@@ -16,7 +16,6 @@
 #include "critreg.h"
 
 #define BOXES 5                 /* most boxes of a task */
-#define TRAINING 60             /* tasks to learn from */
 #define FINGER 0.06             /* how long the fingers are, */
 #define HAND 0.11               /* how high the hand is, fingers included, */
 #define GAP 0.02                /* and how far boxes have to be apart */
@@ -190,7 +189,7 @@ static size_t make_task(uint64_t seed, char *problem, state *initial)
 
 static const double grips[2] = {0.0, 0.4}, along[2] = {0.0, 1.0};
 
-static critreg_skills *learn(const critreg_callbacks *callbacks)
+static critreg_skills *learn(uint32_t tasks, const critreg_callbacks *callbacks)
 {
     critreg_skills_config config;
     critreg_skills *skills;
@@ -200,7 +199,7 @@ static critreg_skills *learn(const critreg_callbacks *callbacks)
     size_t i;
     CHECK(critreg_skills_config_init(&config, sizeof config));
     config.state_len = NUMBERS(BOXES);
-    config.tasks = TRAINING;
+    config.tasks = config.states = tasks;
     memory = malloc(critreg_skills_size(&config));
     CHECK(critreg_skills_init(memory, critreg_skills_size(&config), DOMAIN, LAYOUT, &config,
                               &skills));
@@ -211,7 +210,7 @@ static critreg_skills *learn(const critreg_callbacks *callbacks)
     CHECK(critreg_skills_add(skills, "PutDown", NULL, "Standing", PUT_DOWN));
     CHECK(critreg_skills_add(skills, "PushIn", NULL, "Standing", PUSH_IN));
     CHECK(critreg_skills_add(skills, "Pick", "PushIn", "Standing", NULL));
-    for (i = 0; i < TRAINING; i++) {
+    for (i = 0; i < tasks; i++) {
         size_t len = make_task(1000 + i, text, &initial);
         CHECK(critreg_skills_add_task(skills, text, (const double *)&initial, len));
     }
@@ -265,7 +264,7 @@ int main(int argc, char **argv)
     original.execute = execute;
     original.holds = holds;
     learned = original;
-    learned.skills = learn(&original);
+    learned.skills = learn(argc > 2 ? (uint32_t)atoi(argv[2]) : 60, &original);
     plan(tasks, &original);
     plan(tasks, &learned);
     free(learned.skills);       /* which lie at the start of their memory */
