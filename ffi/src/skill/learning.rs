@@ -108,6 +108,9 @@ impl Inner {
             for (own, kept) in self.changes.iter_mut().zip(&*self.changes_before) {
                 *own = *kept;
             }
+            if let Some(Some(skill)) = self.skills.get_mut(index) {
+                skill.set_region(None);
+            }
             return result;
         }
         self.journal.clear();
