@@ -448,7 +448,7 @@
  * Parameters are then drawn from where the step and those that come later are expected to
  * work, sequences of operators that cannot work are postponed (or pruned, see
  * critreg_callbacks.prune), and critreg_planner_why() and critreg_planner_reason_text() say
- * what stands in the way, as "Press(robby, button0) needs button0.y <= 2.9". Training tasks
+ * what stands in the way, as "Press(robby, button0) needs button0.y <= 2.9, and it is 4.1". Training tasks
  * and tasks to plan may have different objects. c_examples/plan_tasks.c and
  * c_examples/own_world.c are complete programs.
  *
@@ -3260,7 +3260,7 @@ critreg_status critreg_planner_reasons(struct critreg_planner *planner,
 
 /**
  * What stood in the way most often in the last critreg_plan(), in the words of the skills,
- * such as "RobotPressButton(robby, button0, stick) needs button0.y <= 2.9"; also if a plan
+ * such as "RobotPressButton(robby, button0, stick) needs button0.y <= 2.9, and it is 4.1"; also if a plan
  * was found. Empty if it is a reason of the program, or if there is none.
  *
  * @param planner The planner; may be called from its callbacks.

@@ -80,7 +80,7 @@ pub unsafe extern "C" fn critreg_planner_reasons(
 }
 
 /// What stood in the way most often in the last critreg_plan(), in the words of the skills,
-/// such as "RobotPressButton(robby, button0, stick) needs button0.y <= 2.9"; also if a plan
+/// such as "RobotPressButton(robby, button0, stick) needs button0.y <= 2.9, and it is 4.1"; also if a plan
 /// was found. Empty if it is a reason of the program, or if there is none.
 ///
 /// @param planner The planner; may be called from its callbacks.

@@ -1,6 +1,7 @@
 //! Why an operator cannot work, in words.
 
 use super::guide::RegionGuide;
+use super::here::Here;
 use super::joint_region::JointRegion;
 use super::knowledge::GroundController;
 use crate::plan::{ReasonId, Skeleton};
@@ -13,8 +14,8 @@ use core::fmt::{self, Write};
 impl<E: Setting> RegionGuide<'_, E> {
     /// Writes what stands in the way of an operator's controller: every constraint without
     /// which it would work in the initial state, alone or after another one, with the
-    /// names of objects for the roles. For example `RobotPressButton(robby, button0,
-    /// stick) needs button0.y <= 2.9`.
+    /// names of objects for the roles, and what it comes to in numbers. For example
+    /// `RobotPressButton(robby, button0, stick) needs button0.y <= 2.9, and it is 4.1`.
     ///
     /// `operators` are those of the task, `reason` is what planning gives, such as
     /// [`Metrics::main_reason`](crate::plan::Metrics::main_reason). If there is no such
@@ -52,7 +53,9 @@ impl<E: Setting> RegionGuide<'_, E> {
         };
         match write_constraints(&joint, true, &mut out)? {
             0 => write_constraints(&joint, false, &mut out).map(|_| ()),
-            _ => Ok(()),
+            1 => Ok(()),
+            2 => out.write_str("; they cannot both hold"),
+            _ => out.write_str("; they cannot all hold"),
         }
     }
 
@@ -103,7 +106,7 @@ fn write_constraints<'t, E: Setting>(
     deciding: bool,
     out: &mut Named<'t, '_, E>,
 ) -> Result<u32, fmt::Error> {
-    let mut count = 0;
+    let (mut count, mut word) = (0, " needs ");
     let skills = joint.regions().iter().map(|region| region.skill);
     for (place, skill) in skills.enumerate() {
         let Some(region) = skill.region() else {
@@ -114,12 +117,20 @@ fn write_constraints<'t, E: Setting>(
                 continue;
             }
             out.skill = None;
-            out.write_str(if count == 0 { " needs " } else { " and " })?;
+            out.write_str(word)?;
             out.skill = Some(skill);
             let conjunct = region.formula().select(|own| own.index == index);
             let conjunct = conjunct.map_err(|_| fmt::Error)?;
             conjunct.write(skill.domain(), out)?;
             count += 1;
+            let instance = joint.parts().nth(place).map(|part| part.instance);
+            let here = instance.filter(|_| deciding);
+            let here = here.and_then(|own| Here::new(skill.domain(), own, &conjunct));
+            word = " and ";
+            if let Some(here) = here {
+                here.write(skill.domain(), out)?;
+                word = ", and ";
+            }
         }
     }
     Ok(count)
