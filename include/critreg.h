@@ -53,7 +53,7 @@
  * bits, in a library without CRITREG_ALGORITHM1. The macros of
  * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
  *
- * A planner with the default capacities takes 301248 bytes, and 264 more for every
+ * A planner with the default capacities takes 301760 bytes, and 264 more for every
  * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
  *
  *
@@ -666,7 +666,7 @@
  * Bytes of a planner that do not depend on its capacity, apart from pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLANNER_FIXED_BYTES 31136
+#define CRITREG_PLANNER_FIXED_BYTES 31648
 
 /**
  * Pointers of a planner that do not depend on its capacity; for
@@ -708,7 +708,7 @@
 /**
  * Bytes that are enough for the words of critreg_planner_reason_text(), with their NUL.
  */
-#define CRITREG_REASON_MAX 512
+#define CRITREG_REASON_MAX 1024
 
 /**
  * Most parameters of an action: an array for theta of this length fits every

@@ -43,7 +43,7 @@ pub const CRITREG_STEP_BYTES: usize = 5_888;
 
 /// Bytes of a planner that do not depend on its capacity, apart from pointers; for
 /// CRITREG_PLANNER_WORDS.
-pub const CRITREG_PLANNER_FIXED_BYTES: usize = 31_136;
+pub const CRITREG_PLANNER_FIXED_BYTES: usize = 31_648;
 
 /// Pointers of a planner that do not depend on its capacity; for
 /// CRITREG_PLANNER_WORDS.
@@ -69,7 +69,7 @@ pub const CRITREG_PLAN_STEP_BYTES: usize = 136;
 pub const CRITREG_PLAN_STEP_POINTERS: usize = 13;
 
 /// Bytes that are enough for the words of critreg_planner_reason_text(), with their NUL.
-pub const CRITREG_REASON_MAX: usize = 512;
+pub const CRITREG_REASON_MAX: usize = 1024;
 
 /// Most parameters of an action: an array for theta of this length fits every
 /// domain.

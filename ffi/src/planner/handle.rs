@@ -1,13 +1,12 @@
 //! A planner in the caller's memory.
 
 use crate::boundary::handle::{self, Exclusive, Handle};
-use crate::boundary::limits::CRITREG_REASON_MAX;
 use crate::boundary::status::{Fallible, critreg_status};
 use crate::planner::metrics::critreg_metrics;
 use crate::planner::tables::Tables;
 use crate::planner::why::Reason;
 use core::cell::Cell;
-use core::fmt;
+use core::fmt::{self, Write as _};
 use critreg_core::pddl::Problem;
 use critreg_core::plan;
 use critreg_core::task::GroundAtom;
@@ -113,7 +112,9 @@ impl fmt::Write for Writer<'_> {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         let Writer(words) = self;
         for byte in text.bytes() {
-            if let Some(slot) = words.bytes.get(words.length.get()) {
+            // The last one is that of the NUL.
+            let room = words.bytes.split_last().map_or(&[][..], |(_, room)| room);
+            if let Some(slot) = room.get(words.length.get()) {
                 slot.set(byte);
                 words.length.set(words.length.get() + 1);
             }
@@ -124,19 +125,11 @@ impl fmt::Write for Writer<'_> {
 
 impl fmt::Display for Words {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut copy = [0; CRITREG_REASON_MAX];
-        let length = self.length.get();
-        for (slot, byte) in copy.iter_mut().zip(self.bytes) {
-            *slot = byte.get();
-        }
-        let copy = copy.get(..length).unwrap_or_default();
-        // A character that was cut off is left out.
-        let whole = match core::str::from_utf8(copy) {
-            Ok(whole) => whole,
-            Err(error) => core::str::from_utf8(copy.get(..error.valid_up_to()).unwrap_or_default())
-                .unwrap_or_default(),
-        };
-        f.write_str(whole)
+        // Names and numbers are ASCII, so a byte is a character.
+        let bytes = self.bytes.iter().take(self.length.get());
+        bytes
+            .map(Cell::get)
+            .try_for_each(|byte| f.write_char(char::from(byte)))
     }
 }
 

@@ -117,7 +117,7 @@ fn own_world_plans_without_a_try_in_vain() {
     assert_eq!(output, as_cpp);
     for region in [
         "Pick, after 100 calls: grip - box.height >= -0.06 (-finger.length) and ",
-        "PutDown, after 100 calls: inside(spot, surface) >= 0 and min(clear(spot, other_box)) >= 0.02 (gap)",
+        "PutDown, after 100 calls: min(clear(spot, other_box)) >= 0.02 (gap) and inside(spot, surface) >= 0\n",
         "Pick, then PushIn, after 200 calls: dist(tips, box) - shelf.room <= -0.11 (-hand.height)",
     ] {
         assert!(output.contains(region), "no {region} in {output}");
