@@ -134,6 +134,28 @@ static void plan(const critreg::Region &region) {
         std::printf("%s; %s failed most\n", planner.why().c_str(), planner.metrics().most_failed);
 }
 
+// The same without a callback that draws: skills are learned in tasks, and planned with.
+static void plan_with_skills() {
+    critreg_skills_config config = critreg::Skills::default_config();
+    config.state_len = 3;
+    critreg::Skills skills(OPERATORS, "type peg { width: length, open: length, held: flag }\n"
+                                      "object pegs[1]: peg", config);
+    skills.add_controller("Open", "", "", {{0.0, 0.1}});
+    skills.add("Open", "object peg { width: length }\nconstant finger.gap = 0.01: length\n"
+                       "parameter opening in [0, 0.1]: length");
+    skills.add_pair("Open", "Close");
+    for (int i = 0; i < 30; i++) skills.add_task(PROBLEM, {0.02 + 0.002 * i, 0.0, 0.0});
+    skills.learn(world(nullptr));
+    const critreg::SkillReport report = skills.report(1);
+    std::printf("learned of Open, then Close: %s after %u calls\n", report.text.c_str(),
+                report.numbers.calls);
+    critreg_planner_config planning = critreg::Planner::default_config();
+    planning.state_len = 3;
+    critreg::Planner planner(OPERATORS, PROBLEM, planning);
+    if (planner.plan(world(nullptr), {0.085, 0.0, 0.0}, 1, &skills))
+        std::printf("plan with skills after %u samples\n", planner.metrics().samples);
+}
+
 int main() {
     try {
         const critreg::Region learned = learn_openings();
@@ -150,6 +172,7 @@ int main() {
         const auto both = critreg::sample({{written, thin}, {written, thick}}, rng);
         std::printf("an opening for two pegs: %.4f\n", both.value().front());
         plan(learned);
+        plan_with_skills();
 
         // Errors tell what is wrong and where.
         critreg::Region::parse(DOMAIN, "opening >= peg.height");

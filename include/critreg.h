@@ -15,6 +15,7 @@
  *     critreg_sample_regions   the same, good for what comes after it, too
  *     critreg_planner_init     PDDL texts and memory make a planner
  *     critreg_plan             operators and parameters that reach a goal
+ *     critreg_skills_learn     what a planner is to know of all controllers, by trying them
  *
  * This file is the manual. It is generated from the library; do not edit it.
  *
@@ -22,12 +23,13 @@
  * MEMORY
  *
  * The library never allocates memory, and it keeps no pointer that is passed to
- * it after the call returns, with two exceptions: the memory a learner, planner or
- * region was made in, and the progress callback of a learner with its data. Texts,
+ * it after the call returns, with two exceptions: the memory a learner, planner, region
+ * or skills were made in, and the progress callback of a learner or of skills with its
+ * data. Texts,
  * configurations and manual samples are copied; instances are passed to every
  * call that needs them.
  *
- * The memory of a learner, planner or region belongs to it from its init, parse or load
+ * The memory of a learner, planner, region or skills belongs to it from its init, parse or load
  * call until the program stops using the handle. In that time it must stay where
  * it is and must not be written to or copied, because the handle in it refers to
  * its own address. There is nothing to free: when the program is done with the
@@ -51,7 +53,7 @@
  * bits, in a library without CRITREG_ALGORITHM1. The macros of
  * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
  *
- * A planner with the default capacities takes 299688 bytes, and 264 more for every
+ * A planner with the default capacities takes 301760 bytes, and 264 more for every
  * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
  *
  *
@@ -402,12 +404,12 @@
  *
  * It prints "Drive 3.0" and "Light 0.0".
  *
- * Regions are brought in by two more callbacks: sample draws from them, and advise
- * tells the search that a sequence of operators is not expected to work before
- * anything is drawn for it. Both are advice: if there is no plan before patience ends,
- * planning begins anew without it. critreg_metrics tells what planning cost, which operator
- * failed most often, and which reason of the program's was given most often.
- * c_examples/plan_tasks.c shows all of it.
+ * What is known of actions is brought in by skills, see the next chapter; or by two more
+ * callbacks: sample draws from regions, and advise tells the search that a sequence of
+ * operators is not expected to work before anything is drawn for it. All of it is advice: if
+ * there is no plan before patience ends, planning begins anew without it. critreg_metrics
+ * tells what planning cost, which operator failed most often, and which reason was given most
+ * often.
  *
  * The PDDL that is understood is that of classical planning, STRIPS, ADL and the costs
  * of actions:
@@ -451,6 +453,66 @@
  * all predicates and of all actions together; 768 words such as "and", preconditions and
  * effects in all; 255 objects, 128 words and atoms of the goal. The rest is in
  * critreg_planner_config.
+ *
+ *
+ * SKILLS
+ *
+ * Skills are what is to be known of the program's controllers: with which parameters one
+ * works, with which of them a later one works, too, and in which states one works at all.
+ * critreg_skills_learn() finds out by trying operators in the program's simulator, and
+ * critreg_plan() takes what was learned in one field:
+ *
+ *     critreg_skills_init(memory, memory_len, DOMAIN, LAYOUT, &config, &skills);
+ *     critreg_skills_add_controller(skills, "Pick", NULL, NULL, ranges, 1);
+ *     critreg_skills_add(skills, "Pick", NULL, NULL, PICK);         // Pick alone
+ *     critreg_skills_add(skills, "Pick", "Place", NULL, NULL);      // and before Place
+ *     critreg_skills_add_task(skills, problem, state, state_len);   // several dozens
+ *     critreg_skills_learn(skills, &callbacks, user_data);
+ *     callbacks.skills = skills;
+ *     critreg_plan(planner, &callbacks, initial, seed, user_data, &length);
+ *
+ * Parameters are then drawn from where the step and those that come later are expected to
+ * work, sequences of operators that cannot work are postponed (or pruned, see
+ * critreg_callbacks.prune), and critreg_planner_why() and critreg_planner_reason_text() say
+ * what stands in the way, as "Press(robby, button0) needs button0.y <= 2.9, and it is 4.1". Training tasks
+ * and tasks to plan may have different objects. c_examples/plan_tasks.c and
+ * c_examples/own_world.c are complete programs.
+ *
+ * The layout says which numbers of a state belong to which object. It is a domain text that
+ * declares objects; their numbers follow one another in its order:
+ *
+ *     type robot { x: length, y: length }
+ *     type box   { x: length, y: length, held: flag }
+ *     object robby: robot
+ *     object boxes[5]: box
+ *
+ * An object that the layout names is the object of that name in the problem, or one that the
+ * problem does not have. A group stands for all other objects of its type in the problem, in
+ * the order of their names (box2 before box10), as many as there are. Objects of neither kind
+ * have no numbers, and numbers behind the last belong to nobody.
+ *
+ * A skill is described by a domain text, as of a learner, whose objects are roles. Their names
+ * say who fills them; their attributes are those of the type, as many as matter:
+ *
+ *     box            the controller's object of the type box; if it has none, that of the
+ *                    later one; else the only object of that type in the state
+ *     box2           likewise the second object of the type
+ *     later_box      the later controller's object, even if the controller has one, too
+ *     other_box      the only object of the type that is none of the controllers'
+ *     box[4]         a group: all objects of the type
+ *     other_box[4]   a group: those that are none of the controllers'
+ *
+ * With parameters, a text asks with which of them the controller works; those that it does not
+ * declare are drawn as the program draws them. Without, it asks in which states. Of a pair it
+ * asks with which parameters of the first, or in which states, the later one works, with what
+ * is needed in between; and it needs no text of its own: it follows from those of the two, in
+ * which roles of the same name are the same object. Skills of single controllers come first,
+ * in the order in which they are needed on the way.
+ *
+ * Learning is deterministic, can be stopped by any callback and goes on where it was, in the
+ * same memory or, with critreg_skills_save() and critreg_skills_resume(), in another. A state
+ * has at most CRITREG_MAX_STATE_NUMBERS numbers, a task CRITREG_MAX_STATE_OBJECTS objects, and
+ * a training task 128 ground atoms and CRITREG_MAX_TRAINING_OPERATORS ground operators.
  *
  *
  * LINKING
@@ -682,7 +744,7 @@
  * Bytes of a planner that do not depend on its capacity, apart from pointers; for
  * CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_PLANNER_FIXED_BYTES 30592
+#define CRITREG_PLANNER_FIXED_BYTES 31648
 
 /**
  * Pointers of a planner that do not depend on its capacity; for
@@ -698,7 +760,7 @@
 /**
  * Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
  */
-#define CRITREG_OPERATOR_BYTES 92
+#define CRITREG_OPERATOR_BYTES 96
 
 /**
  * Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
@@ -720,6 +782,11 @@
  * Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
  */
 #define CRITREG_PLAN_STEP_POINTERS 13
+
+/**
+ * Bytes that are enough for the words of critreg_planner_reason_text(), with their NUL.
+ */
+#define CRITREG_REASON_MAX 1024
 
 /**
  * Most parameters of an action: an array for theta of this length fits every
@@ -1031,7 +1098,7 @@
 #define CRITREG_WHY_NO_SKELETON 2
 
 /**
- * The callback advise pruned all sequences that reach the goal.
+ * The callback advise, or skills, pruned all sequences that reach the goal.
  */
 #define CRITREG_WHY_PRUNED 3
 
@@ -1072,6 +1139,27 @@
 #define CRITREG_WHY_STOPPED 10
 
 /**
+ * Most numbers of a state that skills are learned or used in.
+ */
+#define CRITREG_MAX_STATE_NUMBERS 64
+
+/**
+ * Most objects of a task that skills are learned or used in.
+ */
+#define CRITREG_MAX_STATE_OBJECTS 32
+
+/**
+ * Most ground operators of a task that skills are learned from, and most ground atoms.
+ * A planner that uses the skills may have more.
+ */
+#define CRITREG_MAX_TRAINING_OPERATORS 512
+
+/**
+ * Bytes for texts that skills have room for unless the configuration tells.
+ */
+#define CRITREG_DEFAULT_SKILL_TEXTS 65536
+
+/**
  * Option of the stick-button environment: robot and stick can turn, and lie at
  * any angle in new tasks. Without it all angles are pi/2, as in the thesis.
  */
@@ -1093,6 +1181,12 @@ typedef struct critreg_planner critreg_planner;
  * or lies at the start of the memory it was made in.
  */
 typedef struct critreg_region critreg_region;
+
+/**
+ * Skills: what is learned of a program's controllers. They lie at the start of the memory
+ * they were made in.
+ */
+typedef struct critreg_skills critreg_skills;
 
 /**
  * What became of a call: CRITREG_OK, one of the codes below, or the status of
@@ -1719,9 +1813,11 @@ typedef struct critreg_callbacks {
      */
     uint32_t struct_size;
     /**
-     * Always 0.
+     * 1: sequences of operators that skills expect not to work are dropped, and a plan may be
+     * lost. 0, the default: they are postponed, until critreg_planner_config.patience is at
+     * its end.
      */
-    uint32_t reserved;
+    uint32_t prune;
     /**
      * Runs operators. Must be set.
      */
@@ -1738,6 +1834,13 @@ typedef struct critreg_callbacks {
      * Advises the search. NULL, the default: everything is kept.
      */
     critreg_advise advise;
+    /**
+     * What was learned, or NULL, the default. Where something is known of a step, its
+     * parameters are drawn from that, and sample is asked where nothing is, or without
+     * advice; what cannot work is postponed before advise is asked. Actions have the
+     * parameters of their controllers. The skills are in use while critreg_plan() runs.
+     */
+    struct critreg_skills *skills;
 } critreg_callbacks;
 
 /**
@@ -1854,6 +1957,194 @@ typedef struct critreg_metrics {
      */
     uint32_t repeated;
 } critreg_metrics;
+
+/**
+ * How learning goes.
+ */
+typedef struct critreg_training {
+    /**
+     * Size of this struct in bytes.
+     */
+    uint32_t struct_size;
+    /**
+     * Which skill is being learned, from 0.
+     */
+    uint32_t skill;
+    /**
+     * How many skills there are.
+     */
+    uint32_t skills;
+    /**
+     * Runs of controllers for this skill so far, those that were kept included.
+     */
+    uint32_t runs;
+} critreg_training;
+
+/**
+ * Called by critreg_skills_learn() after each run of a controller.
+ *
+ * @param progress_data That of the configuration.
+ * @param training How learning goes; valid until the callback returns.
+ * @return CRITREG_OK to go on. Anything else stops learning and becomes the status of
+ * critreg_skills_learn(): CRITREG_CANCELLED, or CRITREG_USER_STATUS and above.
+ */
+typedef critreg_status (*critreg_training_progress)(void *progress_data,
+                                                    const struct critreg_training *training);
+
+/**
+ * How much is tried to learn skills, and what there is room for. Fill it with
+ * critreg_skills_config_init(), set state_len, and change what you like. Nothing in it is
+ * kept after critreg_skills_init() returns, except the progress callback and its data.
+ */
+typedef struct critreg_skills_config {
+    /**
+     * Size of this struct in bytes, from critreg_skills_config_init().
+     */
+    uint32_t struct_size;
+    /**
+     * Most numbers of a state, from 1 to CRITREG_MAX_STATE_NUMBERS. Default 0, which is
+     * refused: say how many.
+     */
+    uint32_t state_len;
+    /**
+     * What the learner of a skill is told: seed, calls, slack and so on, and how many forms
+     * it has room for. Its learner, precision, instances, steps and progress do not count.
+     * Default NULL: the defaults of critreg_config, with CRITREG_DEFAULT_FORMS.
+     */
+    const struct critreg_config *learner;
+    /**
+     * Questions about two controllers. Default 200.
+     */
+    uint32_t chained;
+    /**
+     * How many controllers may be run to learn one about which there is a single skill: its
+     * questions are what the ways to situations leave of them, if that is more than the
+     * calls of the learner. Default 0.
+     */
+    uint32_t budget;
+    /**
+     * Situations that a skill with parameters is tried in, chosen to differ. Default 20.
+     */
+    uint32_t situations;
+    /**
+     * Situations that a skill without parameters is tried in, each once. Default 150.
+     */
+    uint32_t states;
+    /**
+     * Training tasks that situations of one skill are taken from. Default 150.
+     */
+    uint32_t situation_tasks;
+    /**
+     * Training tasks to have room for. Default 150.
+     */
+    uint32_t tasks;
+    /**
+     * Controllers to have room for; an action that belongs to none is one. Default 16.
+     */
+    uint32_t controllers;
+    /**
+     * Skills to have room for. Default 16.
+     */
+    uint32_t skills;
+    /**
+     * Bytes to have room for in all texts together, their NULs included: the PDDL domain,
+     * the layout, the skills, the problems of the training tasks. Default
+     * CRITREG_DEFAULT_SKILL_TEXTS.
+     */
+    uint32_t texts;
+    /**
+     * Nodes of the search for a way to a situation. Default 1024.
+     */
+    uint32_t nodes;
+    /**
+     * Atoms and numbers of :init of a problem to have room for. Default 512.
+     */
+    uint32_t facts;
+    /**
+     * Runs of controllers to keep of the skill that is being learned: after a stop they are
+     * not repeated. Default 512.
+     */
+    uint32_t runs;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
+    /**
+     * Called after each run of a controller. Default NULL.
+     */
+    critreg_training_progress progress;
+    /**
+     * Passed to the progress callback. Default NULL.
+     */
+    void *progress_data;
+} critreg_skills_config;
+
+/**
+ * What was learned of a skill, and what it took.
+ */
+typedef struct critreg_skill_report {
+    /**
+     * Size of this struct in bytes, from critreg_skill_report_init().
+     */
+    uint32_t struct_size;
+    /**
+     * 1 if it was learned; 0 if its turn has not come.
+     */
+    uint32_t finished;
+    /**
+     * 1 if there is a region, which planning uses; else 0.
+     */
+    uint32_t has_region;
+    /**
+     * CRITREG_EXACT, CRITREG_APPROXIMATE, CRITREG_PROVISIONAL or CRITREG_NO_QUALITY.
+     */
+    uint32_t quality;
+    /**
+     * Why there is no region, or none that is exact: CRITREG_WHY_EXPLAINED and so on, as for
+     * critreg_learner_why().
+     */
+    uint32_t why;
+    /**
+     * Training tasks that situations were taken from.
+     */
+    uint32_t tasks;
+    /**
+     * Situations that it was tried in.
+     */
+    uint32_t situations;
+    /**
+     * Runs of controllers, those on the way to a situation included.
+     */
+    uint32_t runs;
+    /**
+     * Questions that were answered.
+     */
+    uint32_t calls;
+    /**
+     * How often it worked.
+     */
+    uint32_t feasible;
+    /**
+     * How often it did not.
+     */
+    uint32_t infeasible;
+    /**
+     * Draws from the region that were tried to certify it.
+     */
+    uint32_t certificate_draws;
+    /**
+     * Those of them that worked.
+     */
+    uint32_t certificate_feasible;
+    /**
+     * Always 0.
+     */
+    uint32_t reserved;
+    /**
+     * At least this share of the region works, with the confidence of the learner.
+     */
+    double certificate_lower_bound;
+} critreg_skill_report;
 
 /**
  * The call did what it promises.
@@ -3179,6 +3470,301 @@ critreg_status critreg_planner_failures(struct critreg_planner *planner,
 critreg_status critreg_planner_reasons(struct critreg_planner *planner,
                                        uint32_t reason,
                                        uint32_t *count);
+
+/**
+ * What stood in the way most often in the last critreg_plan(), in the words of the skills,
+ * such as "RobotPressButton(robby, button0, stick) needs button0.y <= 2.9, and it is 4.1"; also if a plan
+ * was found. Empty if it is a reason of the program, or if there is none.
+ *
+ * @param planner The planner; may be called from its callbacks.
+ * @param text Receives the words, ended by NUL; CRITREG_REASON_MAX bytes are always enough.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the words with their NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_reason_text(const struct critreg_planner *planner,
+                                           char *text,
+                                           size_t len,
+                                           size_t *needed);
+
+/**
+ * Fills a configuration with the defaults.
+ *
+ * @param config The configuration.
+ * @param size sizeof *config, as for critreg_config_init().
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED; CRITREG_INVALID_ARGUMENT if
+ * size is smaller than the struct ever was, or larger than this library knows.
+ */
+critreg_status critreg_skills_config_init(struct critreg_skills_config *config,
+                                          size_t size);
+
+/**
+ * How many bytes of memory skills take.
+ *
+ * @param config How much is tried, with the capacities.
+ * @return The number of bytes; 0 if the configuration is wrong or memory cannot be that
+ * large.
+ */
+size_t critreg_skills_size(const struct critreg_skills_config *config);
+
+/**
+ * The alignment in bytes that the memory of skills needs. An array of uint64_t and what
+ * malloc() returns have it.
+ */
+size_t critreg_skills_align(void);
+
+/**
+ * Makes skills in memory of the program; nothing is known of them yet. Add controllers,
+ * skills and training tasks, see SKILLS above.
+ *
+ * @param memory Memory for the skills, aligned to critreg_skills_align(). From now on it
+ * belongs to them: do not write to it, move it or copy it.
+ * @param memory_len Its length in bytes, at least critreg_skills_size().
+ * @param domain The PDDL domain, ended by NUL. Copied.
+ * @param layout Which numbers of a state belong to which object, ended by NUL: a domain
+ * text that declares objects, and groups of those whose names differ from problem to
+ * problem. Copied.
+ * @param config How much is tried, with the length of a state.
+ * @param skills Receives the handle, which lies at the start of the memory.
+ * @return CRITREG_TOO_SMALL if the memory is too short for the capacities;
+ * CRITREG_SYNTAX_ERROR (ask critreg_check_pddl() or critreg_check_domain() where);
+ * CRITREG_CAPACITY_EXCEEDED if the texts find no room; CRITREG_INVALID_ARGUMENT for a wrong
+ * configuration or a text that is not UTF-8; CRITREG_NULL_POINTER, CRITREG_MISALIGNED.
+ */
+critreg_status critreg_skills_init(void *memory,
+                                   size_t memory_len,
+                                   const char *domain,
+                                   const char *layout,
+                                   const struct critreg_skills_config *config,
+                                   struct critreg_skills **skills);
+
+/**
+ * Adds a controller: what several PDDL actions may run, with its continuous parameters.
+ * Actions that no controller names are controllers of their own, without parameters.
+ *
+ * ```c
+ * static const double along[2] = {0.0, 1.0};
+ * status = critreg_skills_add_controller(skills, "PickStick",
+ *     "PickStickFromNothing PickStickFromButton", "?robot ?stick", along, 1);
+ * ```
+ *
+ * @param skills The skills.
+ * @param name A name for it, ended by NUL. Copied.
+ * @param actions The names of its actions, separated by blanks, ended by NUL. NULL: the
+ * action that is called as it is.
+ * @param objects Which parameters of each of these actions are its objects: their variables,
+ * separated by blanks, ended by NUL. NULL: all of the first action. Objects that it is about
+ * belong to it also where its command does not need them.
+ * @param ranges The least and the greatest value of each continuous parameter: 2 * count
+ * numbers. NULL if count is 0. Copied. They are those of its actions when a planner uses the
+ * skills.
+ * @param count How many parameters there are, at most CRITREG_MAX_PARAMETERS.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such action or variable, an action has a
+ * controller already, the name is taken, or a range is upside down;
+ * CRITREG_CAPACITY_EXCEEDED if it finds no room; CRITREG_OUT_OF_SEQUENCE after
+ * critreg_skills_learn() or critreg_skills_resume(); CRITREG_NOT_FINITE, CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_add_controller(struct critreg_skills *skills,
+                                             const char *name,
+                                             const char *actions,
+                                             const char *objects,
+                                             const double *ranges,
+                                             size_t count);
+
+/**
+ * Adds a skill: a controller, or two that run one after the other, and what can be said of
+ * them.
+ *
+ * @param skills The skills.
+ * @param controller The name of the controller, ended by NUL.
+ * @param later NULL; or the name of a controller that runs later, ended by NUL: learned is
+ * then with which parameters of the first the later one works, too.
+ * @param members NULL; or names of predicates of one object, separated by blanks, ended by
+ * NUL. An object is a member of a group of the text only if all of them that are about its
+ * type hold of it.
+ * @param text The domain text, ended by NUL; its objects are roles, see SKILLS above. Its
+ * parameters are the controller's first ones. Copied. NULL for a pair: it follows from the
+ * texts of the two, in which roles of the same name are the same object; a later one that
+ * has no text is described by its objects. NULL for a single controller: it is described by
+ * its objects.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such controller or predicate;
+ * CRITREG_SYNTAX_ERROR (ask critreg_check_domain() where); CRITREG_MISMATCH if an object of
+ * the text is no role, the text has more parameters than the controller, or a pair without
+ * text has a first one without; CRITREG_CAPACITY_EXCEEDED if it finds no room;
+ * CRITREG_OUT_OF_SEQUENCE after critreg_skills_learn() or critreg_skills_resume();
+ * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_add(struct critreg_skills *skills,
+                                  const char *controller,
+                                  const char *later,
+                                  const char *members,
+                                  const char *text);
+
+/**
+ * Adds a training task. Several dozens of them, with different numbers of objects, are a
+ * good beginning: what is never tried is never learned.
+ *
+ * @param skills The skills.
+ * @param problem A problem of the PDDL domain, ended by NUL; its goal does not matter.
+ * Copied.
+ * @param initial The state that it begins in. Copied.
+ * @param len How many numbers it has.
+ * @return CRITREG_SYNTAX_ERROR (ask critreg_check_pddl() where); CRITREG_MISMATCH if the
+ * state is shorter than the layout says; CRITREG_CAPACITY_EXCEEDED if there is no room for
+ * another task, its objects or its numbers; CRITREG_OUT_OF_SEQUENCE after
+ * critreg_skills_learn() or critreg_skills_resume(); CRITREG_NOT_FINITE, CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_add_task(struct critreg_skills *skills,
+                                       const char *problem,
+                                       const double *initial,
+                                       size_t len);
+
+/**
+ * Why the last call on these skills failed that did fail, in words, as
+ * critreg_learner_message().
+ *
+ * @param skills The skills; may be called from their callbacks.
+ * @param text Receives the words, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the words with their NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_message(const struct critreg_skills *skills,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+
+/**
+ * Learns all skills, one after the other, by trying operators in the program's simulator:
+ * situations are collected from the training tasks, those that differ most are chosen, and
+ * a learner asks with which parameters, or in which states, a controller works. That a
+ * skill has no region is no error; critreg_skills_report() tells why.
+ *
+ * If a callback stops it, call it again to go on: skills that were learned stay, and of the
+ * one that was being learned the runs that were kept (critreg_skills_config.runs) are not
+ * repeated. What is learned is the same as if nothing had happened. Once all is learned it
+ * returns at once.
+ *
+ * @param skills The skills.
+ * @param callbacks What may be asked, from critreg_callbacks_init(): execute and holds; and
+ * sample, if it is set, which proposes where to look for parameters that work, as if nothing
+ * came later (one operator, advised 0). Its skills and advise do not count.
+ * @param user_data Passed to the callbacks.
+ * @return The status of a callback that was not CRITREG_OK; CRITREG_CAPACITY_EXCEEDED if
+ * the operators or atoms of a task, or the features of a text, find no room;
+ * CRITREG_INVALID_ARGUMENT or CRITREG_NOT_FINITE for an answer of a callback that is none;
+ * CRITREG_OUT_OF_SEQUENCE if there is no training task; CRITREG_BUSY from a callback;
+ * CRITREG_NULL_POINTER, also if execute or holds are not set, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE. In all cases the skills can be used as far as they were learned.
+ */
+critreg_status critreg_skills_learn(struct critreg_skills *skills,
+                                    const struct critreg_callbacks *callbacks,
+                                    void *user_data);
+
+/**
+ * Prepares a report for critreg_skills_report().
+ *
+ * @param report The report.
+ * @param size sizeof *report; see critreg_config_init().
+ * @return As critreg_config_init().
+ */
+critreg_status critreg_skill_report_init(struct critreg_skill_report *report,
+                                         size_t size);
+
+/**
+ * What was learned of a skill, and what it took.
+ *
+ * @param skills The skills.
+ * @param index Which skill, from 0, in the order in which they were added.
+ * @param report A report from critreg_skill_report_init(), to be filled.
+ * @return CRITREG_INVALID_ARGUMENT if there is no such skill or the report was not
+ * initialised; CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_report(struct critreg_skills *skills,
+                                     size_t index,
+                                     struct critreg_skill_report *report);
+
+/**
+ * Writes the region of a skill as text, such as "grasp.y <= 2.9 (zone.top - robot.radius)";
+ * or, if it has none, why.
+ *
+ * @param skills The skills.
+ * @param index Which skill, from 0.
+ * @param text Receives the text, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_NO_REGION if there is none: the text then tells why; CRITREG_TOO_SMALL;
+ * CRITREG_INVALID_ARGUMENT if there is no such skill; CRITREG_BUSY, CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_format(struct critreg_skills *skills,
+                                     size_t index,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
+
+/**
+ * Writes the domain text of a skill: as it was added, or as it was made of the texts of its
+ * members. With it, critreg_region_parse() makes a region of what critreg_skills_format()
+ * wrote.
+ *
+ * @param skills The skills.
+ * @param index Which skill, from 0.
+ * @param text Receives the text, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_TOO_SMALL; CRITREG_INVALID_ARGUMENT if there is no such skill;
+ * CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_domain(struct critreg_skills *skills,
+                                     size_t index,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
+
+/**
+ * Saves what was learned so far: the skills that are learned, and the runs that were kept
+ * of the one that is being learned. Versioned, checksummed, the same on every machine.
+ *
+ * @param skills The skills.
+ * @param bytes Receives the bytes.
+ * @param len Length of bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives how many bytes it takes, also if the buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_OUT_OF_SEQUENCE if
+ * there is no training task yet; CRITREG_CAPACITY_EXCEEDED, CRITREG_BUSY,
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_save(struct critreg_skills *skills,
+                                   uint8_t *bytes,
+                                   size_t len,
+                                   size_t *needed);
+
+/**
+ * Brings fresh skills to the state that critreg_skills_save() wrote; critreg_skills_learn()
+ * then goes on from there.
+ *
+ * @param skills Skills that were just made, with the texts, configuration, controllers,
+ * skills and training tasks of the saved ones. They may have room for more.
+ * @param bytes The saved bytes.
+ * @param len How many there are.
+ * @return CRITREG_CORRUPT for damaged bytes; CRITREG_MISMATCH if they belong to other texts,
+ * tasks or another configuration; CRITREG_CAPACITY_EXCEEDED if the runs that were kept find
+ * no room (critreg_skills_config.runs); CRITREG_OUT_OF_SEQUENCE if the skills are not fresh:
+ * in all these cases nothing is known of any skill; CRITREG_BUSY, CRITREG_NULL_POINTER,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_resume(struct critreg_skills *skills,
+                                     const uint8_t *bytes,
+                                     size_t len);
 
 /**
  * Reads a domain text and says what is wrong with it, such as

@@ -3,7 +3,8 @@
  * critreg.h for C++17: owners of memory, exceptions, vectors.
  *
  * A critreg::Learner owns the memory of a learner, a critreg::Region that of a
- * region, a critreg::Planner that of a planner. What can fail throws critreg::Error.
+ * region, a critreg::Planner that of a planner, critreg::Skills that of skills. What can
+ * fail throws critreg::Error.
  * Nothing here is linked: the header only calls the functions of critreg.h, which
  * remains the manual.
  *
@@ -483,6 +484,199 @@ struct World {
         advise = {};
 };
 
+namespace detail {
+
+/** A call of World's callbacks under way, and what one threw. */
+struct WorldCall {
+    const World &world;
+    std::exception_ptr thrown;
+};
+
+/** Runs a callback; what it throws waits until planning has ended. */
+template <class Body> critreg_status guarded(void *user_data, Body body) {
+    WorldCall &call = *static_cast<WorldCall *>(user_data);
+    try {
+        return body(call.world);
+    } catch (...) {
+        call.thrown = std::current_exception();
+        return CRITREG_USER_STATUS;
+    }
+}
+
+inline critreg_callbacks callbacks_of(const World &world) {
+    critreg_callbacks callbacks;
+    detail::check(critreg_callbacks_init(&callbacks, sizeof callbacks));
+    callbacks.execute = [](void *user_data, const critreg_ground *ground,
+                           const double *parameters, const double *before, double *after,
+                           std::size_t len, std::uint32_t *actions) {
+        return guarded(user_data, [=](const World &world) {
+            std::vector<double> state(before, before + len);
+            *actions = world.execute(*ground, parameters, state);
+            if (state.size() != len)
+                throw Error(CRITREG_INVALID_ARGUMENT, "the state has the wrong length");
+            std::copy(state.begin(), state.end(), after);
+            return CRITREG_OK;
+        });
+    };
+    callbacks.holds = [](void *user_data, const critreg_ground *ground, const double *state,
+                         std::size_t len, std::int32_t *holds) {
+        return guarded(user_data, [=](const World &world) {
+            *holds = world.holds(*ground, std::vector<double>(state, state + len));
+            return CRITREG_OK;
+        });
+    };
+    if (world.sample)
+        callbacks.sample = [](void *user_data, const critreg_draw *draw, critreg_rng *rng,
+                              critreg_drawn *drawn) {
+            return guarded(user_data, [=](const World &world) {
+                Rng own(*rng);
+                const critreg_status status = world.sample(*draw, own, *drawn);
+                *rng = own.state;
+                return status;
+            });
+        };
+    if (world.advise)
+        callbacks.advise = [](void *user_data, const critreg_ground *prefix,
+                              std::size_t length, const double *initial, std::size_t len,
+                              critreg_advice *advice, std::uint32_t *reason) {
+            return guarded(user_data, [=](const World &world) {
+                const std::vector<double> state(initial, initial + len);
+                *advice = world.advise(prefix, length, state, *reason);
+                return CRITREG_OK;
+            });
+        };
+    return callbacks;
+}
+
+} // namespace detail
+
+/** What was learned of a skill, in words: its region, or why there is none. */
+struct SkillReport {
+    bool has_region;
+    std::string text;               /**< The region, or why there is none. */
+    critreg_skill_report numbers;   /**< Calls, quality, certificate. */
+};
+
+/** Skills with memory of their own. They can be moved. */
+class Skills {
+public:
+    /** The default configuration, to change; state_len is to be set. */
+    static critreg_skills_config default_config() {
+        critreg_skills_config config;
+        detail::check(critreg_skills_config_init(&config, sizeof config));
+        return config;
+    }
+
+    /** Skills of which nothing is known; layout says which numbers belong to which object. */
+    Skills(const std::string &domain, const std::string &layout,
+           const critreg_skills_config &config) {
+        std::array<char, 128> why{};
+        const critreg_status status =
+            critreg_check_domain(layout.c_str(), why.data(), why.size(), nullptr);
+        detail::check(status, why.data());
+        // A wrong configuration has no size; then init tells what is wrong.
+        const std::size_t bytes = critreg_skills_size(&config);
+        memory_.reset(new std::uint64_t[bytes / sizeof(std::uint64_t) + 1]);
+        critreg_skills *made;
+        detail::check(critreg_skills_init(memory_.get(), bytes, domain.c_str(), layout.c_str(),
+                                          &config, &made));
+    }
+
+    /** A controller: its actions and objects, separated by blanks; empty for the defaults. */
+    void add_controller(const std::string &name, const std::string &actions,
+                        const std::string &objects,
+                        const std::vector<std::array<double, 2>> &ranges) {
+        check(critreg_skills_add_controller(handle(), name.c_str(), optional(actions),
+                                            optional(objects),
+                                            ranges.empty() ? nullptr : ranges.front().data(),
+                                            ranges.size()));
+    }
+
+    /** A skill of a controller. */
+    void add(const std::string &controller, const std::string &text,
+             const std::string &members = {}) {
+        check(critreg_skills_add(handle(), controller.c_str(), nullptr, optional(members),
+                                 text.c_str()));
+    }
+
+    /** A skill of two controllers; an empty text follows from those of the two. */
+    void add_pair(const std::string &controller, const std::string &later,
+                  const std::string &text = {}, const std::string &members = {}) {
+        check(critreg_skills_add(handle(), controller.c_str(), later.c_str(), optional(members),
+                                 optional(text)));
+    }
+
+    /** A training task: a problem, and the state that it begins in. */
+    void add_task(const std::string &problem, const std::vector<double> &initial) {
+        check(critreg_skills_add_task(handle(), problem.c_str(), initial.data(), initial.size()));
+    }
+
+    /** Learns all skills. What the world throws ends learning and is thrown on; learning can
+     *  go on afterwards. */
+    void learn(const World &world) {
+        detail::WorldCall call{world, nullptr};
+        const critreg_callbacks callbacks = detail::callbacks_of(world);
+        const critreg_status status = critreg_skills_learn(handle(), &callbacks, &call);
+        if (call.thrown) std::rethrow_exception(call.thrown);
+        check(status);
+    }
+
+    /** What was learned of a skill, by its place. */
+    SkillReport report(std::size_t index) {
+        SkillReport report{};
+        check(critreg_skill_report_init(&report.numbers, sizeof report.numbers));
+        check(critreg_skills_report(handle(), index, &report.numbers));
+        report.has_region = report.numbers.has_region != 0;
+        std::size_t needed = 0;
+        critreg_status status = critreg_skills_format(handle(), index, nullptr, 0, &needed);
+        report.text.resize(needed);
+        status = critreg_skills_format(handle(), index, &report.text[0], needed, nullptr);
+        if (status != CRITREG_NO_REGION) check(status);
+        report.text.pop_back();     // the NUL
+        return report;
+    }
+
+    /** The domain text of a skill, by its place. */
+    std::string domain(std::size_t index) {
+        return detail::text([this, index](char *text, std::size_t len, std::size_t *needed) {
+            return critreg_skills_domain(handle(), index, text, len, needed);
+        });
+    }
+
+    /** What was learned so far, as bytes. */
+    std::vector<std::uint8_t> save() {
+        return detail::filled<std::vector<std::uint8_t>>(
+            [this](std::uint8_t *bytes, std::size_t len, std::size_t *needed) {
+                return critreg_skills_save(handle(), bytes, len, needed);
+            });
+    }
+
+    /** Brings fresh skills to the state that save() wrote. */
+    void resume(const std::vector<std::uint8_t> &bytes) {
+        check(critreg_skills_resume(handle(), bytes.data(), bytes.size()));
+    }
+
+    /** For functions of critreg.h; NULL if the skills were moved away. */
+    critreg_skills *handle() const noexcept {
+        return reinterpret_cast<critreg_skills *>(memory_.get());
+    }
+
+private:
+    static const char *optional(const std::string &text) {
+        return text.empty() ? nullptr : text.c_str();
+    }
+
+    void check(critreg_status status) const {
+        if (status == CRITREG_OK) return;
+        throw Error(status,
+                    detail::text([this](char *text, std::size_t len, std::size_t *needed) {
+                        return critreg_skills_message(handle(), text, len, needed);
+                    }));
+    }
+
+    std::unique_ptr<std::uint64_t[]> memory_;   // the handle lies at its start
+};
+
 /** A planner with memory of its own, for one problem. It can be moved. */
 class Planner {
 public:
@@ -516,13 +710,15 @@ public:
                                          ranges.size()));
     }
 
-    /** The steps of a plan; none if there is no plan, see metrics() and why(). */
+    /** The steps of a plan; none if there is no plan, see metrics() and why_no_plan(). Skills
+     *  are in use meanwhile. */
     std::optional<std::vector<Step>> plan(const World &world, const std::vector<double> &initial,
-                                          std::uint64_t seed) {
+                                          std::uint64_t seed, const Skills *skills = nullptr) {
         if (initial.size() != state_len_)
             throw Error(CRITREG_INVALID_ARGUMENT, "the state has the wrong length");
-        Call call{world, nullptr};
-        const critreg_callbacks callbacks = callbacks_of(world);
+        detail::WorldCall call{world, nullptr};
+        critreg_callbacks callbacks = detail::callbacks_of(world);
+        if (skills != nullptr) callbacks.skills = skills->handle();
         std::size_t length = 0;
         const critreg_status status =
             critreg_plan(handle(), &callbacks, initial.data(), seed, &call, &length);
@@ -550,6 +746,13 @@ public:
         });
     }
 
+    /** What stood in the way most often, in the words of the skills. */
+    std::string reason() const {
+        return detail::text([this](char *text, std::size_t len, std::size_t *needed) {
+            return critreg_planner_reason_text(handle(), text, len, needed);
+        });
+    }
+
     /** Why the last call failed that did fail. */
     std::string why() const {
         return detail::text([this](char *text, std::size_t len, std::size_t *needed) {
@@ -563,68 +766,6 @@ public:
     }
 
 private:
-    /** A planning under way, and what a callback threw. */
-    struct Call {
-        const World &world;
-        std::exception_ptr thrown;
-    };
-
-    /** Runs a callback; what it throws waits until planning has ended. */
-    template <class Body> static critreg_status guarded(void *user_data, Body body) {
-        Call &call = *static_cast<Call *>(user_data);
-        try {
-            return body(call.world);
-        } catch (...) {
-            call.thrown = std::current_exception();
-            return CRITREG_USER_STATUS;
-        }
-    }
-
-    static critreg_callbacks callbacks_of(const World &world) {
-        critreg_callbacks callbacks;
-        detail::check(critreg_callbacks_init(&callbacks, sizeof callbacks));
-        callbacks.execute = [](void *user_data, const critreg_ground *ground,
-                               const double *parameters, const double *before, double *after,
-                               std::size_t len, std::uint32_t *actions) {
-            return guarded(user_data, [=](const World &world) {
-                std::vector<double> state(before, before + len);
-                *actions = world.execute(*ground, parameters, state);
-                if (state.size() != len)
-                    throw Error(CRITREG_INVALID_ARGUMENT, "the state has the wrong length");
-                std::copy(state.begin(), state.end(), after);
-                return CRITREG_OK;
-            });
-        };
-        callbacks.holds = [](void *user_data, const critreg_ground *ground, const double *state,
-                             std::size_t len, std::int32_t *holds) {
-            return guarded(user_data, [=](const World &world) {
-                *holds = world.holds(*ground, std::vector<double>(state, state + len));
-                return CRITREG_OK;
-            });
-        };
-        if (world.sample)
-            callbacks.sample = [](void *user_data, const critreg_draw *draw, critreg_rng *rng,
-                                  critreg_drawn *drawn) {
-                return guarded(user_data, [=](const World &world) {
-                    Rng own(*rng);
-                    const critreg_status status = world.sample(*draw, own, *drawn);
-                    *rng = own.state;
-                    return status;
-                });
-            };
-        if (world.advise)
-            callbacks.advise = [](void *user_data, const critreg_ground *prefix,
-                                  std::size_t length, const double *initial, std::size_t len,
-                                  critreg_advice *advice, std::uint32_t *reason) {
-                return guarded(user_data, [=](const World &world) {
-                    const std::vector<double> state(initial, initial + len);
-                    *advice = world.advise(prefix, length, state, *reason);
-                    return CRITREG_OK;
-                });
-            };
-        return callbacks;
-    }
-
     Step step(std::size_t index) {
         critreg_step step;
         detail::check(critreg_step_init(&step, sizeof step));

@@ -54,6 +54,11 @@ impl<'b> Writer<'b> {
         self.u64(value.to_bits());
     }
 
+    /// How many bytes were written, those that found no room included.
+    pub(crate) fn length(&self) -> usize {
+        self.length
+    }
+
     /// Appends the checksum and returns the length of everything.
     pub(crate) fn finish(mut self, what: &'static str) -> Result<usize, Error> {
         let body = self.bytes.get(..self.length);

@@ -12,6 +12,7 @@
 //! | [`region`] | regions: as text and as bytes, their constraints, samples | `boundary` |
 //! | [`learner`] | learners: configuration, asking and telling, the report, saving | `boundary`, `region` |
 //! | [`planner`] | the planner: configuration, callbacks, plans, what they cost | `boundary` |
+//! | [`skill`] | skills: what is learned of a program's controllers, and planning with it | `boundary`, `learner`, `planner` |
 //! | [`stick_button`] | the built-in environment, to learn and to plan in | `boundary`, `learner`, `planner` |
 //! | [`check`] | what is wrong with a text, in words | the above |
 //!
@@ -47,6 +48,7 @@ pub mod check;
 pub mod learner;
 pub mod planner;
 pub mod region;
+pub mod skill;
 pub mod stick_button;
 
 #[cfg(all(feature = "halt", panic = "abort"))]

@@ -2,7 +2,9 @@
 
 use super::tuning::CONSTANT_RUNS;
 use crate::domain::MAX_TYPES;
+use crate::error::Error;
 use crate::task::{ControllerId, MAX_ARGUMENTS, ObjectId, State};
+use crate::wire::{Reader, Writer};
 
 /// Attributes of an object of which more is known than that they change.
 const TRACKED: usize = 8;
@@ -89,12 +91,11 @@ impl Changes {
     /// Makes of a state what is expected of it after a run of the controller with these
     /// objects. What cannot be told is added to `unknown`, a bit per number of the state.
     pub(super) fn predict(&self, objects: &[ObjectId], state: &mut State, unknown: &mut u64) {
-        let mut number = 0;
         for index in 0..state.objects().count() {
             let object = ObjectId(index as u8);
+            let first = state.place(object).unwrap_or(0);
             for attribute in 0..state.attributes(object).map_or(0, <[f64]>::len) {
-                let bit = 1u64.wrapping_shl(number);
-                number += 1;
+                let bit = 1u64.wrapping_shl((first + attribute) as u32);
                 if !self.affect(objects, state, object, attribute) {
                     continue;
                 }
@@ -109,6 +110,37 @@ impl Changes {
                 }
             }
         }
+    }
+}
+
+impl Changes {
+    /// Writes what was seen.
+    pub(super) fn write(&self, writer: &mut Writer<'_>) {
+        writer.u32(self.runs);
+        for own in &self.own {
+            writer.u32(own.changed);
+            writer.u32(own.varies);
+            own.values.iter().for_each(|value| writer.f64(*value));
+        }
+        self.others.iter().for_each(|bits| writer.u32(*bits));
+    }
+
+    /// Reads what [`Changes::write`] wrote.
+    pub(super) fn read(reader: &mut Reader<'_>) -> Result<Changes, Error> {
+        let mut changes = Changes {
+            runs: reader.u32()?,
+            ..Changes::default()
+        };
+        for own in &mut changes.own {
+            (own.changed, own.varies) = (reader.u32()?, reader.u32()?);
+            for value in &mut own.values {
+                *value = reader.f64()?;
+            }
+        }
+        for bits in &mut changes.others {
+            *bits = reader.u32()?;
+        }
+        Ok(changes)
     }
 }
 

@@ -1,13 +1,14 @@
 //! What roles are filled from: a state, and the objects of one or two controllers.
 
-use crate::task::{Environment, ObjectId, Predicate, PredicateId, State, TypeId};
+use super::setting::Setting;
+use crate::task::{ObjectId, PredicateId, State, TypeId};
 
 /// What the roles of a domain text are filled from; see
 /// [`RoleBinding`](super::RoleBinding).
 #[derive(Debug)]
-pub struct Context<'a, E> {
-    /// The environment.
-    pub environment: &'a E,
+pub struct Context<'a, S> {
+    /// The environment, or whatever else the state is of.
+    pub environment: &'a S,
     /// The state before the controller.
     pub state: &'a State,
     /// The objects of the controller.
@@ -18,7 +19,7 @@ pub struct Context<'a, E> {
     pub members: &'a [PredicateId],
 }
 
-impl<E: Environment> Context<'_, E> {
+impl<S: Setting> Context<'_, S> {
     /// Whether an object is none of the controllers'.
     pub(super) fn is_other(&self, object: ObjectId) -> bool {
         !self.objects.contains(&object) && !self.later_objects.contains(&object)
@@ -27,7 +28,7 @@ impl<E: Environment> Context<'_, E> {
     /// The objects of a type that are members of groups.
     pub(super) fn members(&self, kind: TypeId) -> impl Iterator<Item = ObjectId> {
         self.state.of_type(kind).filter(move |object| {
-            let holds = |p: &Predicate<E>| (p.classifier)(self.environment, self.state, &[*object]);
+            let holds = |p: &PredicateId| self.environment.holds_of(*p, self.state, *object);
             self.narrowing(kind).all(holds)
         })
     }
@@ -38,10 +39,8 @@ impl<E: Environment> Context<'_, E> {
     }
 
     /// The predicates that are about objects of a type.
-    fn narrowing(&self, kind: TypeId) -> impl Iterator<Item = &'static Predicate<E>> {
-        let all = E::PREDICATES;
+    fn narrowing(&self, kind: TypeId) -> impl Iterator<Item = &PredicateId> {
         let named = self.members.iter();
-        let named = named.filter_map(|id| all.get(usize::from(id.0)));
-        named.filter(move |predicate| predicate.arguments == [kind])
+        named.filter(move |predicate| self.environment.narrows(**predicate, kind))
     }
 }

@@ -17,8 +17,11 @@
 //! |---|---|
 //! | [`Skills`] | the store: a [`Skill`] for each text, with its region, and what controllers change ([`Changes`]) |
 //! | [`RoleBinding`] | how the objects of a text, its *roles*, are filled from a [`Context`]: a state and the objects of ground operators |
+//! | [`write_pair`] | the text of two controllers, of what is said of each |
+//! | [`Setting`], [`Practice`] | what is asked of an environment, or of a program behind callbacks: to use skills, and to learn them |
 //! | [`Situation`] | a state and the operators to try from it: an instance that can be run |
 //! | [`Oracle`] | tries situations and answers the learner's questions |
+//! | [`Journal`], [`Course`] | the runs of a skill that is being learned, and what was learned so far, to be saved |
 //! | joint region | of a step in a plan skeleton: what its region and those of later steps have in common |
 //! | [`RegionSampler`] | draws the parameters of a step from its joint region |
 //! | [`RegionGuide`] | postpones, or prunes, a sequence of operators with an empty joint region |
@@ -91,9 +94,11 @@
 mod changes;
 mod context;
 mod description;
+mod pair;
 mod planning;
 mod role_binding;
 mod room;
+mod setting;
 mod skills;
 mod training;
 mod tuning;
@@ -101,10 +106,13 @@ mod tuning;
 pub use changes::Changes;
 pub use context::Context;
 pub use description::{Describe, Description};
+pub use pair::{Later, write_pair};
 pub use planning::{RegionGuide, RegionSampler};
 pub use role_binding::RoleBinding;
 pub use room::{SkillRoom, TrainingRoom};
+pub use setting::{Practice, Setting, Signature};
 pub use skills::{Skill, Skills};
 pub use training::{
-    Candidate, Learned, MAX_CHAIN, Oracle, Situation, Trainer, Training, TrainingMemory,
+    Candidate, Course, Journal, Learned, MAX_CHAIN, Oracle, Situation, Trainer, Training,
+    TrainingMemory,
 };

@@ -1,9 +1,10 @@
 //! Roles: from a state and ground operators to an instance of a domain text.
 
 use super::context::Context;
+use super::setting::Setting;
 use crate::domain::Domain;
 use crate::error::Error;
-use crate::task::{Environment, MAX_STATE_VALUES, ObjectId, ObjectType, TypeId};
+use crate::task::{MAX_ARGUMENTS, MAX_STATE_VALUES, ObjectId, ObjectType, TypeId};
 use heapless::Vec;
 
 /// Who fills a role.
@@ -79,6 +80,27 @@ impl RoleBinding {
         Ok(RoleBinding { sources })
     }
 
+    /// The places of two controllers' objects that fill one role: of the first, and of the
+    /// later one.
+    pub(super) fn shared(
+        domain: &Domain<'_>,
+        types: &[ObjectType],
+        own: &[TypeId],
+        later: &[TypeId],
+    ) -> Vec<(usize, usize), MAX_ARGUMENTS> {
+        let mut shared = Vec::new();
+        for object in domain.objects().iter().filter(|own| own.member.is_none()) {
+            let role = Role::read(object.name, types).map(|(role, _)| role);
+            let role = role.filter(|role| role.which == Which::Any);
+            let places = role.and_then(|role| Some((role.place(own)?, role.place(later)?)));
+            if let Some(places) = places {
+                // A controller has no more objects than there is room for.
+                let _ = shared.push(places);
+            }
+        }
+        shared
+    }
+
     /// How many numbers an instance has.
     pub fn len(&self) -> usize {
         self.sources.len()
@@ -93,9 +115,9 @@ impl RoleBinding {
     ///
     /// # Errors
     /// [`Error::Mismatch`] if nobody, or not one object alone, fills a role.
-    pub fn instance<E: Environment>(
+    pub fn instance<S: Setting>(
         &self,
-        context: &Context<'_, E>,
+        context: &Context<'_, S>,
         out: &mut [f64],
     ) -> Result<(), Error> {
         const NOBODY: Error = Error::Mismatch("a role is not filled by one object");
@@ -111,10 +133,10 @@ impl RoleBinding {
     }
 
     /// The object and attribute that a number of an instance is read from.
-    pub(super) fn source<E: Environment>(
+    pub(super) fn source<S: Setting>(
         &self,
         slot: usize,
-        context: &Context<'_, E>,
+        context: &Context<'_, S>,
     ) -> Option<(ObjectId, usize)> {
         let source = self.sources.get(slot)?;
         Some((source.object(context)?, source.attribute))
@@ -136,7 +158,7 @@ impl Filler {
 }
 
 impl Source {
-    fn object<E: Environment>(&self, context: &Context<'_, E>) -> Option<ObjectId> {
+    fn object<S: Setting>(&self, context: &Context<'_, S>) -> Option<ObjectId> {
         let is_other = |object: &ObjectId| context.is_other(*object);
         match self.filler {
             Filler::Own(place) => context.objects.get(place).copied(),
@@ -193,6 +215,13 @@ impl Role {
         })
     }
 
+    /// The place of the object among those of a controller.
+    fn place(&self, types: &[TypeId]) -> Option<usize> {
+        let all = types.iter().enumerate();
+        let mut same = all.filter(|(_, kind)| **kind == self.type_id);
+        same.nth(self.number).map(|(place, _)| place)
+    }
+
     fn filler(&self, member: Option<usize>, own: &[TypeId], later: &[TypeId]) -> Filler {
         match (self.which, member) {
             (Which::Other, Some(index)) => return Filler::OtherMember(self.type_id, index),
@@ -200,13 +229,8 @@ impl Role {
             (_, Some(index)) => return Filler::Member(self.type_id, index),
             (_, None) => {}
         }
-        let place = |types: &[TypeId]| {
-            let all = types.iter().enumerate();
-            let mut same = all.filter(|(_, kind)| **kind == self.type_id);
-            same.nth(self.number).map(|(place, _)| place)
-        };
-        let own = place(own).filter(|_| self.which == Which::Any);
-        match (own, place(later)) {
+        let own = self.place(own).filter(|_| self.which == Which::Any);
+        match (own, self.place(later)) {
             (Some(place), _) => Filler::Own(place),
             (None, Some(place)) => Filler::Later(place),
             (None, None) => Filler::Only(self.type_id),

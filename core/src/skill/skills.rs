@@ -3,10 +3,12 @@
 use super::changes::Changes;
 use super::description::{Describe, Description};
 use super::role_binding::RoleBinding;
+use super::setting::{Setting, Signature};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::region::Region;
-use crate::task::{ControllerId, MAX_STATE_VALUES};
+use crate::task::{ControllerId, MAX_ARGUMENTS, MAX_STATE_VALUES, ObjectId, ObjectType};
+use heapless::Vec;
 
 /// What is known of a described controller, or of two.
 #[derive(Clone, Debug)]
@@ -14,6 +16,8 @@ pub struct Skill {
     description: Description,
     domain: Domain<'static>,
     binding: RoleBinding,
+    /// Places of the objects of the two controllers that must be the same objects.
+    shared: Vec<(usize, usize), MAX_ARGUMENTS>,
     region: Option<Region>,
     /// A bit for each number of an instance that the region reads.
     reads: u64,
@@ -22,27 +26,59 @@ pub struct Skill {
 const _: () = assert!(MAX_STATE_VALUES <= 64, "there is a bit per number");
 
 impl Skill {
-    /// Nothing known yet of what is described.
-    fn new<E: Describe>(environment: &E, description: &Description) -> Result<Self, Error> {
+    /// Nothing known yet of what is described, of controllers like these; the types are those
+    /// of the objects of a state.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`] if the text has more parameters than the controller; those of
+    /// [`Domain::parse`] and of [`RoleBinding::new`].
+    pub fn new(
+        description: &Description,
+        types: &[ObjectType],
+        controller: Signature,
+        later: Option<Signature>,
+    ) -> Result<Self, Error> {
         let domain = Domain::parse(description.text)?;
-        let controller = environment.controller(description.controller)?;
-        if domain.parameters().len() > controller.parameters.len() {
+        if domain.parameters().len() > controller.parameters {
             return Err(Error::Mismatch(
                 "a text has more parameters than its controller",
             ));
         }
-        let later = match description.later {
-            Some(later) => environment.controller(later)?.arguments,
-            None => &[],
-        };
-        let arguments = controller.arguments;
+        let later = later.map_or(&[][..], |later| later.arguments);
         Ok(Skill {
             description: *description,
-            binding: RoleBinding::new(&domain, E::TYPES, arguments, later)?,
+            binding: RoleBinding::new(&domain, types, controller.arguments, later)?,
             domain,
+            shared: Vec::new(),
             region: None,
             reads: 0,
         })
+    }
+
+    /// As [`Skill::new`], of two controllers of which objects whose roles have the same name
+    /// are the same, as in the text that [`write_pair`](super::write_pair) writes. Of others
+    /// nothing is said.
+    ///
+    /// # Errors
+    /// Those of [`Skill::new`].
+    pub fn of_same_objects(
+        description: &Description,
+        types: &[ObjectType],
+        controller: Signature,
+        later: Option<Signature>,
+    ) -> Result<Self, Error> {
+        let mut skill = Skill::new(description, types, controller, later)?;
+        if let Some(later) = later {
+            let (own, later) = (controller.arguments, later.arguments);
+            skill.shared = RoleBinding::shared(&skill.domain, types, own, later);
+        }
+        Ok(skill)
+    }
+
+    /// Whether it says something of controllers with these objects.
+    pub(super) fn is_about(&self, objects: &[ObjectId], later_objects: &[ObjectId]) -> bool {
+        let mut shared = self.shared.iter();
+        shared.all(|(own, later)| objects.get(*own) == later_objects.get(*later))
     }
 
     /// What it is about.
@@ -120,9 +156,17 @@ impl<'m> Skills<'m> {
         let changes = changes.ok_or(Error::CapacityExceeded("changes of controllers"))?;
         changes.fill(Changes::default());
         for (skill, description) in skills.iter_mut().zip(E::DESCRIPTIONS) {
-            *skill = Some(Skill::new(environment, description)?);
+            let controller = environment.signature(description.controller)?;
+            let later = description.later.map(|id| environment.signature(id));
+            let later = later.transpose()?;
+            *skill = Some(Skill::new(description, E::TYPES, controller, later)?);
         }
         Ok(Skills { skills, changes })
+    }
+
+    /// What is known already, in places that were filled one by one.
+    pub fn resume(skills: &'m mut [Option<Skill>], changes: &'m mut [Changes]) -> Self {
+        Skills { skills, changes }
     }
 
     /// All of them, in the order of the descriptions.
@@ -152,6 +196,16 @@ impl<'m> Skills<'m> {
     /// What a controller changes, as far as was seen.
     pub fn changes(&self, controller: ControllerId) -> Changes {
         Changes::of(self.changes, controller)
+    }
+
+    /// What each controller changes.
+    pub fn all_changes(&self) -> &[Changes] {
+        self.changes
+    }
+
+    /// Likewise, to go on from other observations.
+    pub fn all_changes_mut(&mut self) -> &mut [Changes] {
+        self.changes
     }
 
     /// The skills, to look up.

@@ -85,6 +85,7 @@ struct Entry {
 pub struct State {
     objects: Vec<Entry, MAX_OBJECTS>,
     values: Vec<f64, MAX_STATE_VALUES>,
+    mark: u16,
 }
 
 impl State {
@@ -93,7 +94,51 @@ impl State {
         State {
             objects: Vec::new(),
             values: Vec::new(),
+            mark: 0,
         }
+    }
+
+    /// A state whose numbers are arranged in another way: of each object its type, where its
+    /// numbers begin and how many they are. Objects may have none, and there may be numbers
+    /// that belong to nobody. Names are the caller's business, who knows the task again by
+    /// the mark.
+    ///
+    /// # Errors
+    /// [`Error::CapacityExceeded`] beyond [`MAX_OBJECTS`] objects or [`MAX_STATE_VALUES`]
+    /// numbers; [`Error::InvalidArgument`] if an object has numbers that are not there.
+    pub fn arranged(
+        mark: u16,
+        objects: impl IntoIterator<Item = (TypeId, usize, usize)>,
+        values: &[f64],
+    ) -> Result<State, Error> {
+        let mut state = State {
+            mark,
+            ..State::new()
+        };
+        let all = state.values.extend_from_slice(values);
+        all.map_err(|_| Error::CapacityExceeded("numbers of a state"))?;
+        for (type_id, first, count) in objects {
+            if first.saturating_add(count) > values.len() {
+                return Err(Error::InvalidArgument("the state has too few numbers"));
+            }
+            let number = state.of_type(type_id).count() as u8;
+            // There are at most 64 numbers.
+            let (first, count) = (first as u8, count as u8);
+            let entry = Entry {
+                type_id,
+                number,
+                first,
+                count,
+            };
+            let pushed = state.objects.push(entry);
+            pushed.map_err(|_| Error::CapacityExceeded("objects of a state"))?;
+        }
+        Ok(state)
+    }
+
+    /// What [`State::arranged`] was given to know its task again; else zero.
+    pub fn mark(&self) -> u16 {
+        self.mark
     }
 
     /// Adds an object of the type `type_id` of `types`.

@@ -94,6 +94,11 @@ impl<'t> Lexer<'t> {
         self.start
     }
 
+    /// Where that token ends, in bytes.
+    pub(crate) fn end(&self) -> usize {
+        self.end
+    }
+
     /// Moves on and returns the token left behind.
     pub fn advance(&mut self) -> Token<'t> {
         let rest = self.text.as_bytes().get(self.end..).unwrap_or_default();

@@ -112,6 +112,14 @@ impl<T> Exclusive<T> {
         }
     }
 
+    /// Lends what calls borrow, unless one runs already.
+    pub(crate) fn borrow<R>(&self, body: impl FnOnce(&mut T) -> R) -> Option<R> {
+        self.inner
+            .try_borrow_mut()
+            .ok()
+            .map(|mut inner| body(&mut inner))
+    }
+
     /// The words about the last call that failed.
     pub(crate) fn message(&self) -> Message {
         Message(self.message.get())

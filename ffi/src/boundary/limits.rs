@@ -48,7 +48,7 @@ pub const CRITREG_STEP_BYTES: usize = 5_888;
 
 /// Bytes of a planner that do not depend on its capacity, apart from pointers; for
 /// CRITREG_PLANNER_WORDS.
-pub const CRITREG_PLANNER_FIXED_BYTES: usize = 30_592;
+pub const CRITREG_PLANNER_FIXED_BYTES: usize = 31_648;
 
 /// Pointers of a planner that do not depend on its capacity; for
 /// CRITREG_PLANNER_WORDS.
@@ -58,7 +58,7 @@ pub const CRITREG_PLANNER_POINTERS: usize = 3_168;
 pub const CRITREG_PLANNER_WORD_BYTES: usize = 1_320;
 
 /// Bytes of a ground operator; for CRITREG_PLANNER_WORDS.
-pub const CRITREG_OPERATOR_BYTES: usize = 92;
+pub const CRITREG_OPERATOR_BYTES: usize = 96;
 
 /// Bytes of a node of the search; for CRITREG_PLANNER_WORDS.
 pub const CRITREG_NODE_BYTES: usize = 46;
@@ -72,6 +72,9 @@ pub const CRITREG_PLAN_STEP_BYTES: usize = 136;
 
 /// Pointers of a step of the longest plan; for CRITREG_PLANNER_WORDS.
 pub const CRITREG_PLAN_STEP_POINTERS: usize = 13;
+
+/// Bytes that are enough for the words of critreg_planner_reason_text(), with their NUL.
+pub const CRITREG_REASON_MAX: usize = 1024;
 
 /// Most parameters of an action: an array for theta of this length fits every
 /// domain.

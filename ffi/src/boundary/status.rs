@@ -67,6 +67,8 @@ pub(crate) enum Failure {
     Stopped(critreg_status, &'static str),
     /// The pointer is no handle.
     NotAHandle,
+    /// A handle is in use; its name.
+    Busy(&'static str),
     /// No plan was found; how planning ended.
     NoPlan(&'static str),
     /// A number is none of those that are expected; what is expected, and the number.
@@ -96,6 +98,7 @@ impl Failure {
             Failure::TooSmall(_) => CRITREG_TOO_SMALL,
             Failure::Stopped(status, _) => status,
             Failure::NotAHandle => CRITREG_NOT_A_HANDLE,
+            Failure::Busy(_) => CRITREG_BUSY,
             Failure::NoPlan(_) => CRITREG_NO_PLAN,
             Failure::Number(..) => CRITREG_INVALID_ARGUMENT,
             Failure::Core(error) => match error {
@@ -122,6 +125,7 @@ impl fmt::Display for Failure {
             Failure::TooSmall(what) => write!(f, "too small: {what}"),
             Failure::Stopped(status, name) => write!(f, "{name} returned status {status}"),
             Failure::NotAHandle => f.write_str("this is no handle"),
+            Failure::Busy(name) => write!(f, "{name} are in use"),
             Failure::NoPlan(how) => write!(f, "no plan: {how}"),
             Failure::Number(expected, number) => write!(f, "{expected}, not {number}"),
             Failure::Core(error) => error.fmt(f),

@@ -28,7 +28,7 @@ macro_rules! tables {
             ///
             /// # Safety
             /// As for [`Part::fill_with`].
-            unsafe fn lend(&self, memory: *mut u8) -> $module::Memory<'static, R> {
+            pub(crate) unsafe fn lend(&self, memory: *mut u8) -> $module::Memory<'static, R> {
                 // SAFETY: by this function's contract; the parts do not overlap.
                 unsafe {
                     $module::Memory {
@@ -60,7 +60,7 @@ pub(crate) const fn end<R: 'static>(mut front: Packer, capacity: Capacity) -> Op
 }
 
 /// Whether no product of the capacity overflows when its tables are counted.
-const fn is_countable(capacity: version_space::Capacity) -> bool {
+pub(crate) const fn is_countable(capacity: version_space::Capacity) -> bool {
     const fn times(left: usize, right: usize) -> Option<usize> {
         left.checked_mul(right)
     }

@@ -5,6 +5,7 @@ use crate::boundary::rng::critreg_rng;
 use crate::boundary::status::{critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
 use crate::planner::config::CRITREG_MAX_ARGUMENTS;
+use crate::skill::handle::critreg_skills;
 use core::ffi::{c_char, c_void};
 
 /// A ground atom or a ground operator: a predicate, or a PDDL action, with its
@@ -199,8 +200,10 @@ pub type critreg_advise = Option<
 pub struct critreg_callbacks {
     /// Size of this struct in bytes, from critreg_callbacks_init().
     pub struct_size: u32,
-    /// Always 0.
-    pub reserved: u32,
+    /// 1: sequences of operators that skills expect not to work are dropped, and a plan may be
+    /// lost. 0, the default: they are postponed, until critreg_planner_config.patience is at
+    /// its end.
+    pub prune: u32,
     /// Runs operators. Must be set.
     pub execute: critreg_execute,
     /// Tells what holds. Must be set.
@@ -209,6 +212,11 @@ pub struct critreg_callbacks {
     pub sample: critreg_sample,
     /// Advises the search. NULL, the default: everything is kept.
     pub advise: critreg_advise,
+    /// What was learned, or NULL, the default. Where something is known of a step, its
+    /// parameters are drawn from that, and sample is asked where nothing is, or without
+    /// advice; what cannot work is postponed before advise is asked. Actions have the
+    /// parameters of their controllers. The skills are in use while critreg_plan() runs.
+    pub skills: *mut critreg_skills,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
@@ -218,11 +226,12 @@ unsafe impl Versioned for critreg_callbacks {
 
 const NOTHING: critreg_callbacks = critreg_callbacks {
     struct_size: size_of::<critreg_callbacks>() as u32,
-    reserved: 0,
+    prune: 0,
     execute: None,
     holds: None,
     sample: None,
     advise: None,
+    skills: core::ptr::null_mut(),
 };
 
 impl critreg_callbacks {

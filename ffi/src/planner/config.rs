@@ -2,6 +2,7 @@
 
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
+use crate::planner::callbacks::CRITREG_MAX_REASONS;
 use critreg_core::plan::{self, Heuristic, MAX_SKELETON};
 use critreg_core::task::MAX_ARGUMENTS;
 
@@ -138,6 +139,11 @@ impl PlannerCapacity {
     /// Links between atoms and operators.
     pub(crate) const fn links(self) -> usize {
         self.operators.saturating_mul(LINKS_OF_OPERATOR)
+    }
+
+    /// Counters of reasons: of the program's, and of each operator.
+    pub(crate) const fn reasons(self) -> usize {
+        self.operators.saturating_add(CRITREG_MAX_REASONS as usize)
     }
 
     /// Estimates of the heuristic to remember.

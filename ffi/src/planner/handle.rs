@@ -6,7 +6,7 @@ use crate::planner::metrics::critreg_metrics;
 use crate::planner::tables::Tables;
 use crate::planner::why::Reason;
 use core::cell::Cell;
-use core::fmt;
+use core::fmt::{self, Write as _};
 use critreg_core::pddl::Problem;
 use critreg_core::plan;
 use critreg_core::task::GroundAtom;
@@ -20,6 +20,8 @@ pub struct critreg_planner {
     pub(crate) reason: Cell<Reason>,
     /// The atom that the last failure is about, if it is one.
     pub(crate) culprit: Cell<Option<GroundAtom>>,
+    /// What stood in the way most often, as skills say it.
+    pub(crate) words: Words,
     problem: &'static Problem<'static>,
     inner: Exclusive<Inner>,
 }
@@ -52,12 +54,18 @@ impl critreg_planner {
     ///
     /// # Safety
     /// As for [`handle::put`].
-    pub(crate) unsafe fn put(place: *mut critreg_planner, tables: Tables, settings: plan::Config) {
+    pub(crate) unsafe fn put(
+        place: *mut critreg_planner,
+        tables: Tables,
+        settings: plan::Config,
+        words: Words,
+    ) {
         let made = critreg_planner {
             seal: 0,
             metrics: Cell::new(critreg_metrics::NONE),
             reason: Cell::new(Reason::Nothing),
             culprit: Cell::new(None),
+            words,
             problem: tables.problem,
             inner: Exclusive::new(Inner {
                 tables,
@@ -67,6 +75,61 @@ impl critreg_planner {
         };
         // SAFETY: by this function's contract.
         unsafe { handle::put(place, made) }
+    }
+}
+
+/// Words in memory of the planner, which can be read while it is in use. What finds no room is
+/// cut off.
+pub(crate) struct Words {
+    bytes: &'static [Cell<u8>],
+    length: Cell<usize>,
+}
+
+impl Words {
+    /// None yet.
+    pub(crate) fn new(bytes: &'static [Cell<u8>]) -> Words {
+        Words {
+            bytes,
+            length: Cell::new(0),
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.length.get() == 0
+    }
+
+    /// Forgets the words, and takes others.
+    pub(crate) fn begin(&self) -> Writer<'_> {
+        self.length.set(0);
+        Writer(self)
+    }
+}
+
+/// Writes words.
+pub(crate) struct Writer<'w>(&'w Words);
+
+impl fmt::Write for Writer<'_> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let Writer(words) = self;
+        for byte in text.bytes() {
+            // The last one is that of the NUL.
+            let room = words.bytes.split_last().map_or(&[][..], |(_, room)| room);
+            if let Some(slot) = room.get(words.length.get()) {
+                slot.set(byte);
+                words.length.set(words.length.get() + 1);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Words {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Names and numbers are ASCII, so a byte is a character.
+        let bytes = self.bytes.iter().take(self.length.get());
+        bytes
+            .map(Cell::get)
+            .try_for_each(|byte| f.write_char(char::from(byte)))
     }
 }
 
@@ -87,11 +150,11 @@ pub(crate) unsafe fn with_planner(
 }
 
 /// A failure, and the atom it is about.
-pub(crate) struct Words<'a>(pub(crate) &'a critreg_planner);
+pub(crate) struct Message<'a>(pub(crate) &'a critreg_planner);
 
-impl fmt::Display for Words<'_> {
+impl fmt::Display for Message<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Words(handle) = self;
+        let Message(handle) = self;
         handle.inner.message().fmt(f)?;
         match handle.culprit.get() {
             Some(atom) => write!(f, ": {}", handle.problem.atom_text(&atom)),

@@ -4,6 +4,8 @@ use crate::boundary::handle;
 use crate::boundary::pointer::Output;
 use crate::boundary::status::{Failure, critreg_status};
 use crate::boundary::structs;
+use crate::boundary::text;
+use crate::planner::callbacks::CRITREG_MAX_REASONS;
 use crate::planner::handle::{Inner, critreg_planner, with_planner};
 use crate::planner::metrics::critreg_metrics;
 use core::ffi::c_char;
@@ -68,10 +70,37 @@ pub unsafe extern "C" fn critreg_planner_reasons(
     unsafe {
         with_planner(planner, |_, inner: &mut Inner| {
             let output = Output::new(count, "count")?;
-            let counted = inner.tables.reasons.get(reason as usize);
+            let own = Some(reason).filter(|reason| *reason < CRITREG_MAX_REASONS);
+            let counted = own.and_then(|reason| inner.tables.reasons.get(reason as usize));
             let none = Failure::invalid("reasons are counted below CRITREG_MAX_REASONS");
             output.write(*counted.ok_or(none)?);
             Ok(())
+        })
+    }
+}
+
+/// What stood in the way most often in the last critreg_plan(), in the words of the skills,
+/// such as "RobotPressButton(robby, button0, stick) needs button0.y <= 2.9, and it is 4.1"; also if a plan
+/// was found. Empty if it is a reason of the program, or if there is none.
+///
+/// @param planner The planner; may be called from its callbacks.
+/// @param text Receives the words, ended by NUL; CRITREG_REASON_MAX bytes are always enough.
+/// @param len Length of text in bytes; 0 to ask for the length only.
+/// @param needed NULL, or receives the length of the words with their NUL, also if the buffer
+/// is too small.
+/// @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_NULL_POINTER,
+/// CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_planner_reason_text(
+    planner: *const critreg_planner,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        handle::read(planner, |handle| {
+            text::write(&handle.words, text, len, needed)
         })
     }
 }

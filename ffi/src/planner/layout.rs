@@ -1,8 +1,9 @@
 //! Where the parts of a planner lie in its memory.
 
+use crate::boundary::limits::CRITREG_REASON_MAX;
 use crate::boundary::memory::{self, Packer, Part, append, parts};
 use crate::boundary::status::Fallible;
-use crate::planner::callbacks::{CRITREG_MAX_REASONS, critreg_ground};
+use crate::planner::callbacks::critreg_ground;
 use crate::planner::config::PlannerCapacity;
 use crate::planner::handle::critreg_planner;
 use crate::planner::names::Names;
@@ -36,7 +37,8 @@ parts! {
     visited: u32, capacity.nodes;
     sequence: Cell<critreg_ground>, capacity.length;
     failures: u32, MAX_ACTIONS;
-    reasons: u32, CRITREG_MAX_REASONS as usize;
+    reasons: u32, capacity.reasons();
+    words: Cell<u8>, CRITREG_REASON_MAX;
     progress: Progress, capacity.operators;
     facts: Fact, capacity.facts;
     links: u16, capacity.links();

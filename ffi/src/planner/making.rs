@@ -6,12 +6,11 @@ use crate::boundary::pointer::{self, Output};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::text;
 use crate::planner::config::{self, CRITREG_PDDL_TEXT_MAX, critreg_planner_config};
-use crate::planner::handle::{Inner, Words, critreg_planner, with_planner};
+use crate::planner::handle::{Inner, Message, Words, critreg_planner, with_planner};
 use crate::planner::layout::PlannerLayout;
 use crate::planner::tables::{NO_ACTION, Ranges};
+use core::cell::Cell;
 use core::ffi::{c_char, c_void};
-use critreg_core::Error;
-use critreg_core::domain::MAX_PARAMETERS;
 
 /// How many bytes of memory a planner takes.
 ///
@@ -114,7 +113,8 @@ unsafe fn init(
         // If this fails, a planner that was here before is one no more.
         handle::retire(place);
         let tables = layout.make(memory, domain, problem)?;
-        critreg_planner::put(place, tables, settings);
+        let words = layout.parts.words.fill_with(memory, || Cell::new(0));
+        critreg_planner::put(place, tables, settings, Words::new(words));
         output.write(place);
     }
     Ok(())
@@ -144,25 +144,12 @@ pub unsafe extern "C" fn critreg_planner_set_ranges(
     count: usize,
 ) -> critreg_status {
     let set = |_: &critreg_planner, inner: &mut Inner| {
-        if count > MAX_PARAMETERS {
-            return Err(Error::CapacityExceeded("parameters of an operator").into());
-        }
-        let numbers = match count {
-            0 => &[],
-            // SAFETY: the header makes it the caller's promise.
-            _ => unsafe { pointer::slice(ranges, 2 * count, "ranges")? },
-        };
-        if !numbers.iter().all(|number| number.is_finite()) {
-            return Err(Error::NotFinite("an end of a range").into());
-        }
-        let (ranges, _) = numbers.as_chunks();
-        if ranges.iter().any(|[low, high]| low > high) {
-            return Err(Failure::invalid("a range ends below its beginning"));
-        }
+        // SAFETY: the header makes it the caller's promise.
+        let ranges = unsafe { Ranges::read(ranges, count)? };
         // SAFETY: the header makes it the caller's promise.
         let place = unsafe { inner.tables.action(name)? };
         let slot = inner.tables.ranges.get_mut(place);
-        *slot.ok_or(NO_ACTION)? = Ranges::new(ranges);
+        *slot.ok_or(NO_ACTION)? = ranges;
         Ok(())
     };
     // SAFETY: as above.
@@ -189,7 +176,7 @@ pub unsafe extern "C" fn critreg_planner_message(
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
         handle::read(planner, |handle| {
-            text::write(&Words(handle), text, len, needed)
+            text::write(&Message(handle), text, len, needed)
         })
     }
 }

@@ -36,6 +36,11 @@ impl Names {
         self.ground(&self.actions, ground.operator.0, ground.objects.as_slice())
     }
 
+    /// An action with these objects.
+    pub(crate) fn call(&self, action: u8, objects: &[ObjectId]) -> critreg_ground {
+        self.ground(&self.actions, action, objects)
+    }
+
     /// The name of an action.
     pub(crate) fn action(&self, index: u8) -> *const c_char {
         name(&self.actions, index)

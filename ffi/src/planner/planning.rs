@@ -1,21 +1,26 @@
 //! Planning, and what comes of it.
 
+use crate::boundary::handle;
 use crate::boundary::pointer::{self, Output};
 use crate::boundary::status::{Failure, Fallible, critreg_status};
 use crate::planner::callbacks::critreg_callbacks;
 use crate::planner::handle::{Inner, critreg_planner, with_planner};
 use crate::planner::metrics::{critreg_metrics, verdict};
-use crate::planner::tables::{Numbers, SetTables, Tables, with_sets};
+use crate::planner::tables::{Numbers, Ranges, SetTables, Sets, Tables, with_sets};
 use crate::planner::why::Reason;
 use crate::planner::world::{Advisor, Draws, Program, Sequence};
+use crate::skill;
+use crate::skill::advice::{Planned, SkillDraws, SkillGuide};
+use core::cell::Cell;
 use core::ffi::c_void;
 use critreg_core::Error;
+use critreg_core::pddl::MAX_ACTIONS;
 use critreg_core::plan::{
     self, AbstractTask, Conclusion, HeuristicMemory, Memory, Planner, Progress, SearchMemory,
     Waiting,
 };
 use critreg_core::random::generator;
-use critreg_core::task::{AtomSet, GroundAtom};
+use critreg_core::task::{AtomSet, GroundAtom, OperatorId};
 
 /// Plans from a state: first which operators, then with which parameters.
 ///
@@ -62,6 +67,7 @@ pub unsafe extern "C" fn critreg_plan(
             handle.culprit.set(None);
             handle.metrics.set(critreg_metrics::NONE);
             handle.reason.set(Reason::Nothing);
+            handle.words.begin();
             let callbacks = critreg_callbacks::read(callbacks)?;
             let tables = &mut inner.tables;
             let state_len = tables.initial.len();
@@ -127,7 +133,12 @@ fn plan(
         failures,
         reasons,
     };
-    let (conclusion, length) = with_sets!(sets, sets => call.plan(sets, shared))?;
+    let (conclusion, length) = match callbacks.skills.is_null() {
+        true => with_sets!(sets, sets => call.plan(sets, shared, None, None))?,
+        // SAFETY: the header makes it the caller's promise.
+        false => unsafe { handle::open(callbacks.skills)? }
+            .lend(|skills| call.plan_with(skills, sets, shared))?,
+    };
     inner.plan_length = length;
     verdict(conclusion)
 }
@@ -153,11 +164,49 @@ struct Call<'a> {
 }
 
 impl Call<'_> {
+    /// As [`Call::plan`], with skills.
+    #[inline(never)]
+    fn plan_with(
+        &self,
+        known: &mut skill::handle::Inner,
+        sets: &mut Sets,
+        shared: Shared<'_>,
+    ) -> Fallible<(Conclusion, usize)> {
+        let problem = self.handle.problem();
+        if known.facts.pddl != problem.domain() {
+            return Err(Error::Mismatch("the skills are of another PDDL domain").into());
+        }
+        let mut ranges = [Ranges::default(); MAX_ACTIONS];
+        for (place, (slot, own)) in (0..).zip(ranges.iter_mut().zip(self.program.ranges)) {
+            let learned = known.facts.ranges(OperatorId(place));
+            let learned = learned.filter(|ranges| !ranges.as_slice().is_empty());
+            *slot = *learned.unwrap_or(own);
+        }
+        let program = Program {
+            ranges: &ranges,
+            ..self.program
+        };
+        let setting = Planned {
+            facts: known.facts,
+            program,
+            problem,
+            failure: Cell::new(None),
+        };
+        let skills = known.known();
+        let initial = setting.state(self.initial)?;
+        let draws = SkillDraws::new(&setting, &skills, &initial);
+        let guide = SkillGuide::new(&setting, &skills, &initial, program.callbacks.prune != 0);
+        let call = Call { program, ..*self };
+        with_sets!(sets, sets => call.plan(sets, shared, Some(draws), Some(guide)))
+    }
+
     /// How planning ended, and how long the plan is.
     fn plan<const N: usize>(
         &self,
         sets: &mut SetTables<N>,
         shared: Shared<'_>,
+        draws: Option<SkillDraws<'_>>,
+        guide: Option<SkillGuide<'_>>,
     ) -> Fallible<(Conclusion, usize)> {
         let program = Program {
             atoms: sets.grounding.atoms().as_slice(),
@@ -192,6 +241,7 @@ impl Call<'_> {
         };
         let mut guide = Advisor {
             program,
+            skills: guide,
             sequence: self.sequence,
             initial: self.initial,
             stopped: None,
@@ -201,6 +251,7 @@ impl Call<'_> {
             sampler: &mut Draws {
                 program,
                 sequence: self.sequence,
+                skills: draws,
             },
             guide: &mut guide,
             config: self.settings,
@@ -212,6 +263,11 @@ impl Call<'_> {
         }
         let metrics = critreg_metrics::new(planned.conclusion, &planned.metrics, program.names);
         self.handle.metrics.set(metrics);
+        if let (Some(skills), Some(main)) = (&guide.skills, planned.metrics.main_reason()) {
+            let mut words = self.handle.words.begin();
+            // What is not a reason of the skills has no words.
+            let _ = skills.explain(sets.operators, main, &mut words);
+        }
         let reason = Reason::new(&planned, sets.missing, &self.settings);
         self.handle.reason.set(reason);
         Ok((planned.conclusion, planned.steps.len()))

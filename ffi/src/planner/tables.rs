@@ -7,6 +7,7 @@ use crate::planner::config::CRITREG_PDDL_TEXT_MAX;
 use crate::planner::names::Names;
 use core::cell::Cell;
 use core::ffi::c_char;
+use critreg_core::Error;
 use critreg_core::domain::MAX_PARAMETERS;
 use critreg_core::pddl::{Grounding, Missing, Problem};
 use critreg_core::plan::{Cached, Progress, SearchNode, Step, Waiting};
@@ -31,6 +32,26 @@ impl Ranges {
             own.count += 1;
         }
         own
+    }
+
+    /// The ranges of so many parameters.
+    ///
+    /// # Safety
+    /// If not NULL and aligned, `ranges` is readable for both ends of each.
+    pub(crate) unsafe fn read(ranges: *const f64, count: usize) -> Fallible<Ranges> {
+        if count > MAX_PARAMETERS {
+            return Err(Error::CapacityExceeded("parameters of an operator").into());
+        }
+        // SAFETY: by this function's contract.
+        let numbers = unsafe { pointer::slice(ranges, 2 * count, "ranges")? };
+        if !numbers.iter().all(|number| number.is_finite()) {
+            return Err(Error::NotFinite("an end of a range").into());
+        }
+        let (ranges, _) = numbers.as_chunks();
+        if ranges.iter().any(|[low, high]| low > high) {
+            return Err(Failure::invalid("a range ends below its beginning"));
+        }
+        Ok(Ranges::new(ranges))
     }
 
     pub(crate) fn as_slice(&self) -> &[[f64; 2]] {

@@ -4,7 +4,7 @@ use crate::boundary::handle;
 use crate::boundary::pointer::Output;
 use crate::boundary::status::critreg_status;
 use crate::boundary::text;
-use crate::planner::handle::critreg_planner;
+use crate::planner::handle::{Words, critreg_planner};
 use core::ffi::c_char;
 use core::fmt;
 use critreg_core::pddl::{Missing, Problem};
@@ -18,7 +18,7 @@ pub const CRITREG_WHY_NOTHING: u32 = 0;
 pub const CRITREG_WHY_UNREACHABLE: u32 = 1;
 /// No sequence of actions reaches the goal, however long.
 pub const CRITREG_WHY_NO_SKELETON: u32 = 2;
-/// The callback advise pruned all sequences that reach the goal.
+/// The callback advise, or skills, pruned all sequences that reach the goal.
 pub const CRITREG_WHY_PRUNED: u32 = 3;
 /// No sequence of up to critreg_planner_config.max_length actions reaches the goal.
 pub const CRITREG_WHY_LENGTH: u32 = 4;
@@ -99,26 +99,35 @@ impl Reason {
 }
 
 /// The sentence.
-struct Sentence<'a>(&'a Reason, &'a Problem<'static>);
+struct Sentence<'a>(&'a Reason, &'a Problem<'static>, &'a Words);
 
 impl fmt::Display for Sentence<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Sentence(reason, problem) = self;
-        let no_plan = match reason {
+        let Sentence(reason, problem, words) = self;
+        match reason {
             Reason::Nothing => return Ok(()),
             Reason::Stopped => return f.write_str("a callback stopped planning"),
-            Reason::NoPlan(no_plan) => no_plan,
-        };
+            Reason::NoPlan(no_plan) => no_plan.write(problem, f)?,
+        }
+        if words.is_empty() {
+            return Ok(());
+        }
+        write!(f, "; most often in the way: {words}")
+    }
+}
+
+impl NoPlan {
+    fn write(&self, problem: &Problem<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let NoPlan {
             samples, skeletons, ..
-        } = no_plan;
-        let config = &no_plan.config;
-        let failed = no_plan.most_failed.and_then(|OperatorId(id)| {
+        } = self;
+        let config = &self.config;
+        let failed = self.most_failed.and_then(|OperatorId(id)| {
             let action = problem.domain().actions().get(usize::from(id));
             action.map(|action| action.name)
         });
         let failed = failed.unwrap_or("none");
-        match (no_plan.why, no_plan.missing) {
+        match (self.why, self.missing) {
             (Why::NoSkeleton, Some(missing)) => {
                 write!(
                     f,
@@ -129,7 +138,7 @@ impl fmt::Display for Sentence<'_> {
             (Why::NoSkeleton, None) => {
                 f.write_str("no sequence of actions reaches the goal, however long")
             }
-            (Why::Pruned, _) => f.write_str("advise pruned every sequence that reaches the goal"),
+            (Why::Pruned, _) => f.write_str("advice pruned every sequence that reaches the goal"),
             (Why::Length, _) => write!(
                 f,
                 "no sequence of up to {} actions reaches the goal: raise max_length",
@@ -191,7 +200,8 @@ pub unsafe extern "C" fn critreg_planner_why(
         handle::read(planner, |handle| {
             let reason = handle.reason.get();
             Output::new(why, "why")?.write(reason.code());
-            text::write(&Sentence(&reason, handle.problem()), text, len, needed)
+            let sentence = Sentence(&reason, handle.problem(), &handle.words);
+            text::write(&sentence, text, len, needed)
         })
     }
 }

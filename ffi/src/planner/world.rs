@@ -5,11 +5,12 @@ use crate::boundary::status::{
     CRITREG_EMPTY_REGION, CRITREG_NO_SAMPLE, Failure, Fallible, stop_unless_ok,
 };
 use crate::planner::callbacks::{
-    CRITREG_KEEP, CRITREG_NO_REASON, CRITREG_POSTPONE, CRITREG_PRUNE, critreg_advise,
-    critreg_callbacks, critreg_draw, critreg_drawn, critreg_ground,
+    CRITREG_KEEP, CRITREG_MAX_REASONS, CRITREG_NO_REASON, CRITREG_POSTPONE, CRITREG_PRUNE,
+    critreg_advise, critreg_callbacks, critreg_draw, critreg_drawn, critreg_ground,
 };
 use crate::planner::names::Names;
 use crate::planner::tables::{Numbers, Ranges};
+use crate::skill::advice::{SkillDraws, SkillGuide};
 use core::cell::Cell;
 use core::ffi::c_void;
 use critreg_core::Error;
@@ -62,6 +63,81 @@ impl Program<'_> {
     }
 }
 
+impl Program<'_> {
+    /// Runs an operator. `after` holds a copy of the state before.
+    pub(crate) fn run(
+        &self,
+        ground: &critreg_ground,
+        parameters: &[f64],
+        before: &[f64],
+        after: &mut [f64],
+    ) -> Fallible<u32> {
+        let run = self.callbacks.execute.ok_or(Failure::Null("execute"))?;
+        let mut theta = [0.0; MAX_PARAMETERS];
+        for (value, own) in theta.iter_mut().zip(parameters) {
+            *value = *own;
+        }
+        let mut actions = 0;
+        // SAFETY: a callback of the program, called as the header promises; the two
+        // states do not overlap.
+        let status = unsafe {
+            run(
+                self.user_data,
+                ground,
+                theta.as_ptr(),
+                before.as_ptr(),
+                after.as_mut_ptr(),
+                after.len(),
+                &mut actions,
+            )
+        };
+        stop_unless_ok(status, "execute")?;
+        Ok(actions)
+    }
+
+    /// Parameters of the program's own sampler for the step that it is told, within these
+    /// ranges; uniform in them if it has none.
+    pub(crate) fn sample<R: Rng>(
+        &self,
+        told: &critreg_draw,
+        ranges: &[[f64; 2]],
+        rng: &mut R,
+    ) -> Fallible<Drawn> {
+        let Some(sample) = self.callbacks.sample else {
+            return uniform(ranges, rng).map(Drawn::Parameters);
+        };
+        // A C program has generators of one kind; the planner may have any.
+        let mut own = critreg_rng_seed(rng.next_u64());
+        let mut drawn = critreg_drawn {
+            parameters: [f64::NAN; MAX_PARAMETERS],
+            informed: 0,
+            reason: CRITREG_NO_REASON,
+        };
+        // SAFETY: a callback of the program, called as the header promises.
+        let status = unsafe { sample(self.user_data, told, &mut own, &mut drawn) };
+        match status {
+            CRITREG_EMPTY_REGION => return Ok(Drawn::Empty(reason_of(drawn.reason))),
+            CRITREG_NO_SAMPLE => return Ok(Drawn::Nothing),
+            _ => stop_unless_ok(status, "sample")?,
+        }
+        let parameters = drawn.parameters.iter().zip(ranges);
+        let checked = collect(parameters.map(|(value, range)| check(*value, *range)));
+        match drawn.informed {
+            0 => checked.map(Drawn::Parameters),
+            _ => checked.map(Drawn::Informed),
+        }
+    }
+}
+
+/// Parameters uniform in these ranges.
+pub(crate) fn uniform<R: Rng>(ranges: &[[f64; 2]], rng: &mut R) -> Fallible<Parameters> {
+    collect(
+        ranges
+            .iter()
+            .map(|[low, high]| Ok(uniform_in(rng, *low, *high))),
+    )
+}
+
 impl<const N: usize> World<N> for Program<'_> {
     type State = Numbers;
     type Error = Failure;
@@ -83,31 +159,10 @@ impl<const N: usize> World<N> for Program<'_> {
         before: &Numbers,
         after: &mut Numbers,
     ) -> Fallible<u32> {
-        let run = self.callbacks.execute.ok_or(Failure::Null("execute"))?;
-        let ground = self.names.operator(operator);
-        let mut theta = [0.0; MAX_PARAMETERS];
-        for (value, own) in theta.iter_mut().zip(parameters) {
-            *value = *own;
-        }
         for (value, own) in after.iter_mut().zip(before.iter()) {
             *value = *own;
         }
-        let mut actions = 0;
-        // SAFETY: a callback of the program, called as the header promises; the two
-        // states do not overlap.
-        let status = unsafe {
-            run(
-                self.user_data,
-                &ground,
-                theta.as_ptr(),
-                before.as_ptr(),
-                after.as_mut_ptr(),
-                after.len(),
-                &mut actions,
-            )
-        };
-        stop_unless_ok(status, "execute")?;
-        Ok(actions)
+        self.run(&self.names.operator(operator), parameters, before, after)
     }
 }
 
@@ -133,22 +188,22 @@ fn write<const N: usize>(
 pub(crate) struct Draws<'a> {
     pub(crate) program: Program<'a>,
     pub(crate) sequence: Sequence<'a>,
+    /// What is drawn from where something is known.
+    pub(crate) skills: Option<SkillDraws<'a>>,
 }
 
 impl<'a, const N: usize> Sampler<Program<'a>, N> for Draws<'_> {
     fn sample<R: Rng>(&mut self, draw: &Draw<'_, Numbers, N>, rng: &mut R) -> Fallible<Drawn> {
-        let Program {
-            callbacks,
-            user_data,
-            names,
-            ..
-        } = self.program;
-        let ranges = self.program.ranges(draw.operator);
-        let Some(sample) = callbacks.sample else {
-            let uniform = |[low, high]: &[f64; 2]| Ok(uniform_in(rng, *low, *high));
-            return collect(ranges.iter().map(uniform)).map(Drawn::Parameters);
-        };
-        write(names, draw.skeleton, self.sequence)?;
+        if let Some(skills) = &mut self.skills
+            && let Some(drawn) = skills.draw(draw, rng)?
+        {
+            return Ok(drawn);
+        }
+        let program = &self.program;
+        let ranges = program.ranges(draw.operator);
+        if program.callbacks.sample.is_some() {
+            write(program.names, draw.skeleton, self.sequence)?;
+        }
         let told = critreg_draw {
             skeleton: self.sequence.as_ptr().cast(),
             length: draw.skeleton.len(),
@@ -159,26 +214,7 @@ impl<'a, const N: usize> Sampler<Program<'a>, N> for Draws<'_> {
             attempt: draw.attempt,
             advised: i32::from(draw.advised),
         };
-        // A C program has generators of one kind; the planner may have any.
-        let mut own = critreg_rng_seed(rng.next_u64());
-        let mut drawn = critreg_drawn {
-            parameters: [f64::NAN; MAX_PARAMETERS],
-            informed: 0,
-            reason: CRITREG_NO_REASON,
-        };
-        // SAFETY: a callback of the program, called as the header promises.
-        let status = unsafe { sample(user_data, &told, &mut own, &mut drawn) };
-        match status {
-            CRITREG_EMPTY_REGION => return Ok(Drawn::Empty(reason_of(drawn.reason))),
-            CRITREG_NO_SAMPLE => return Ok(Drawn::Nothing),
-            _ => stop_unless_ok(status, "sample")?,
-        }
-        let parameters = drawn.parameters.iter().zip(ranges);
-        let checked = collect(parameters.map(|(value, range)| check(*value, *range)));
-        match drawn.informed {
-            0 => checked.map(Drawn::Parameters),
-            _ => checked.map(Drawn::Informed),
-        }
+        program.sample(&told, ranges, rng)
     }
 }
 
@@ -207,12 +243,17 @@ fn check(value: f64, [low, high]: [f64; 2]) -> Fallible<f64> {
 
 /// A reason of the program; a number that no reason has is counted with those.
 fn reason_of(number: u32) -> ReasonId {
-    ReasonId(u16::try_from(number).unwrap_or(u16::MAX))
+    match number < CRITREG_MAX_REASONS {
+        true => ReasonId(number as u16),
+        false => ReasonId(u16::MAX),
+    }
 }
 
 /// The program's advice.
 pub(crate) struct Advisor<'a> {
     pub(crate) program: Program<'a>,
+    /// What is asked first.
+    pub(crate) skills: Option<SkillGuide<'a>>,
     pub(crate) sequence: Sequence<'a>,
     pub(crate) initial: &'a [f64],
     /// That advising failed. A guide cannot say so, so everything is pruned from
@@ -222,10 +263,16 @@ pub(crate) struct Advisor<'a> {
 
 impl Advisor<'_> {
     fn ask<const N: usize>(
-        &self,
+        &mut self,
         advise: critreg_advise,
         prefix: Skeleton<'_, N>,
     ) -> Fallible<Advice> {
+        if let Some(skills) = &mut self.skills {
+            match skills.judge(prefix)? {
+                Advice::Keep => {}
+                other => return Ok(other),
+            }
+        }
         let Some(advise) = advise else {
             return Ok(Advice::Keep);
         };

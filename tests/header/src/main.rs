@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 32] = [
+const SOURCES: [\&str; 38] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",
@@ -35,6 +35,12 @@ const SOURCES: [&str; 32] = [
     "planner/metrics.rs",
     "planner/why.rs",
     "planner/inspection.rs",
+    "skill/config.rs",
+    "skill/handle.rs",
+    "skill/making.rs",
+    "skill/learning.rs",
+    "skill/report.rs",
+    "skill/saving.rs",
     "check.rs",
     "stick_button/environment.rs",
     "stick_button/world.rs",

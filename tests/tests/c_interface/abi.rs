@@ -71,6 +71,11 @@ fn wrong_planning() {
 }
 
 #[test]
+fn wrong_skills() {
+    passes("misuse_skills", &["misuse_skills.c"]);
+}
+
+#[test]
 fn parameters_as_they_were_drawn() {
     passes("parameters", &["parameters.c"]);
 }

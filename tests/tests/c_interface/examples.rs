@@ -110,6 +110,36 @@ fn plan_tasks_is_better_with_learned_regions() {
     assert!(outputs[0].contains("region of pressing by hand: button.y <= 2.9 ("));
 }
 
+#[test]
+fn own_world_plans_without_a_try_in_vain() {
+    let outputs = BOTH.map(|language| output_of("own_world.c", language, &[]));
+    let [output, as_cpp] = &outputs;
+    assert_eq!(output, as_cpp);
+    for region in [
+        "Pick, after 100 calls: grip - box.height >= -0.06 (-finger.length) and ",
+        "PutDown, after 100 calls: min(clear(spot, other_box)) >= 0.02 (gap) and inside(spot, surface) >= 0\n",
+        "Pick, then PushIn, after 200 calls: dist(tips, box) - shelf.room <= -0.11 (-hand.height)",
+    ] {
+        assert!(output.contains(region), "no {region} in {output}");
+    }
+    let row = |sampler: &str| {
+        let start = format!("sampler: {sampler}, solved: 50/50, ");
+        let mut rows = output.lines().filter(|line| line.starts_with(&start));
+        rows.next()
+            .unwrap_or_else(|| panic!("no {start} in {output}"))
+    };
+    let [original, learned] = ["original", "learned"].map(row);
+    let samples = number(learned, "samples_mean");
+    assert!(
+        samples <= 1.05 * number(learned, "plan_length_mean"),
+        "{learned}"
+    );
+    assert!(
+        number(original, "samples_mean") > 4.0 * samples,
+        "{original}"
+    );
+}
+
 /// The program in the chapter on planning of the manual.
 #[test]
 fn the_manual_tells_the_truth_about_its_program() {
@@ -143,6 +173,8 @@ fn from_cpp_tells_errors_as_exceptions() {
         "an opening for two pegs: 0.0",
         "plan with it: (Open peg) (Close peg) after 2 samples",
         "stopped: cannot run (Open peg)",
+        "learned of Open, then Close: opening - peg.width >= 0.01 (finger.gap) after 200 calls",
+        "plan with skills after 2 samples",
         "no plan: no sequence of up to max_length operators is left; Open failed most",
         "CRITREG_SYNTAX_ERROR: line 1, column 12: unknown name",
     ] {

@@ -5,4 +5,5 @@ mod examples;
 mod field;
 mod pictures;
 mod readme;
+mod skills;
 mod support;

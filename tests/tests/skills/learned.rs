@@ -78,6 +78,15 @@ fn guided<'a>(
     (RegionSampler::new(&ENVIRONMENT, skills), guide)
 }
 
+/// What the sampler of the environment draws.
+fn draw_from(
+    sampler: &mut RegionSampler<'_, StickButton>,
+    draw: &Draw<'_, State>,
+    rng: &mut Generator,
+) -> Drawn {
+    Sampler::<Simulated<'_, StickButton>>::sample(sampler, draw, rng).unwrap()
+}
+
 const NODES: usize = 10_000;
 
 // Learning
@@ -346,7 +355,7 @@ proptest! {
                 attempt: 1,
                 advised: true,
             };
-            let drawn = sampler.sample(&draw, &mut generator(seed)).unwrap();
+            let drawn = draw_from(&mut sampler, &draw, &mut generator(seed));
             let parameters = match drawn {
                 Drawn::Parameters(p) | Drawn::Informed(p) => Some(p),
                 Drawn::Empty(_) | Drawn::Nothing => None,
@@ -427,7 +436,7 @@ fn draws_from_everything_reach_what_a_region_leaves_out() {
                 attempt: 1,
                 advised: true,
             };
-            match sampler.sample(&draw, &mut rng).unwrap() {
+            match draw_from(&mut sampler, &draw, &mut rng) {
                 Drawn::Parameters(p) | Drawn::Informed(p) => p[0] > 0.25,
                 Drawn::Empty(_) | Drawn::Nothing => panic!("the region is not empty"),
             }
@@ -495,9 +504,10 @@ fn why_there_is_no_plan() {
     assert_eq!(
         texts,
         [
-            "RobotPressButton(robby, button0, stick) needs button0.y <= 2.9",
+            "RobotPressButton(robby, button0, stick) needs button0.y <= 2.9, and it is 5.97",
             "StickPressButton(robby, stick, button0) after PickStick(robby, stick) \
-             needs dist_y(grasp, stick.tip) - button0.y >= -2.9",
+             needs dist_y(grasp, stick.tip) - button0.y >= -2.9, \
+             here dist_y(grasp, stick.tip) >= 3.07, and it is 0 to 2.95",
         ]
     );
     assert!(texts.contains(&explain(planned.metrics.main_reason().unwrap())));
@@ -519,4 +529,42 @@ fn no_parameters_work_means_none_does() {
         assert!(!(picked.is_feasible() && pressed.is_feasible()), "{mu}");
     }
     assert_eq!(StickButton::DESCRIPTIONS.len(), TRUE_REGIONS.len());
+}
+
+/// A grasp that is low enough for the hand, and far enough from the tip for a button.
+#[test]
+fn constraints_that_cannot_both_hold_are_told_with_their_numbers() {
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
+    observe(&mut skills);
+    know(
+        &mut skills,
+        &[
+            "grasp.y <= 2.9",
+            "",
+            "",
+            "dist_y(grasp, stick.tip) - button.y <= -3.5",
+        ],
+    );
+    let mut task = with_button_at(4.0);
+    let stick = task.initial.attributes_mut(STICK).unwrap();
+    // Upright, from 1 to 4.
+    stick[1] = 1.0;
+    let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
+    let guide = RegionGuide::new(&ENVIRONMENT, &skills, &task.initial);
+    let press = grounding.operators.iter().position(|ground| {
+        let operator = ENVIRONMENT.operator(ground).unwrap();
+        operator.name == "StickPressButtonFromNothing"
+    });
+    let mut text = String::new();
+    let reason = critreg::plan::ReasonId(press.unwrap() as u16);
+    guide
+        .explain(&grounding.operators, reason, &mut text)
+        .unwrap();
+    assert_eq!(
+        text,
+        "StickPressButton(robby, stick, button0) after PickStick(robby, stick) needs \
+         grasp.y <= 2.9, and it is 1 to 4, and dist_y(grasp, stick.tip) - button0.y <= -3.5, \
+         here dist_y(grasp, stick.tip) <= 0.5, and it is 0 to 2.95; they cannot both hold"
+    );
 }

@@ -3,6 +3,7 @@
 
 mod learned;
 mod negative_control;
+mod pairs;
 mod region_guide;
 mod roles;
 mod situations;

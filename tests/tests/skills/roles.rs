@@ -2,7 +2,7 @@
 
 use critreg::Error;
 use critreg::domain::{Attribute, Dimension, Domain};
-use critreg::skill::{Changes, Context, RoleBinding};
+use critreg::skill::{Changes, Context, Describe, Description, RoleBinding};
 use critreg::task::{
     Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, Predicate,
     PredicateId, State, TypeId,
@@ -26,6 +26,10 @@ impl Environment for Still {
     fn simulate(&self, _: &mut State, (): ()) -> Result<(), Failure> {
         Ok(())
     }
+}
+
+impl Describe for Still {
+    const DESCRIPTIONS: &'static [Description] = &[];
 }
 
 fn context<'s>(state: &'s State, own: &'s [ObjectId], later: &'s [ObjectId]) -> Context<'s, Still> {

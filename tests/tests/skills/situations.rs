@@ -5,7 +5,7 @@ use critreg::env::cluttered_table::{ClutteredTable, GRASP, cans};
 use critreg::env::cover::{BLOCKS, Block, Cover, ROBOT, TARGETS, Target};
 use critreg::learn::Outcome;
 use critreg::learn::version_space::{Config as LearnerConfig, Tuning};
-use critreg::plan::{Draw, Drawn, Sampler, Skeleton};
+use critreg::plan::{Draw, Drawn, Skeleton};
 use critreg::random::{generator, uniform_in};
 use critreg::region::Region;
 use critreg::skill::{
@@ -215,8 +215,8 @@ fn what_a_text_does_not_speak_of_is_left_to_the_original_sampler() {
                 attempt: 1,
                 advised: true,
             };
-            let mut sampler = RegionSampler::new(&ClutteredTable, &skills);
-            let Drawn::Informed(drawn) = sampler.sample(&draw, &mut rng).unwrap() else {
+            let sampler = RegionSampler::new(&ClutteredTable, &skills);
+            let Some(Drawn::Informed(drawn)) = sampler.advise(&draw, &mut rng).unwrap() else {
                 panic!("the region is not empty");
             };
             let can = cans(&task.initial).unwrap()[usize::from(ground.objects.as_slice()[0].0)];

@@ -32,6 +32,16 @@ impl Comparison {
         }
     }
 
+    /// The same of the two sides swapped.
+    pub const fn mirrored(self) -> Comparison {
+        match self {
+            Comparison::Less => Comparison::Greater,
+            Comparison::LessEqual => Comparison::GreaterEqual,
+            Comparison::GreaterEqual => Comparison::LessEqual,
+            Comparison::Greater => Comparison::Less,
+        }
+    }
+
     /// Whether it bounds its left side from above.
     pub const fn is_upper(self) -> bool {
         matches!(self, Comparison::Less | Comparison::LessEqual)

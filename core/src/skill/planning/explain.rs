@@ -1,20 +1,21 @@
 //! Why an operator cannot work, in words.
 
 use super::guide::RegionGuide;
+use super::here::Here;
 use super::joint_region::JointRegion;
 use super::knowledge::GroundController;
 use crate::plan::{ReasonId, Skeleton};
 use crate::skill::context::Context;
-use crate::skill::description::Describe;
+use crate::skill::setting::Setting;
 use crate::skill::skills::Skill;
-use crate::task::{GroundOperator, ObjectType};
+use crate::task::GroundOperator;
 use core::fmt::{self, Write};
 
-impl<E: Describe> RegionGuide<'_, E> {
+impl<E: Setting> RegionGuide<'_, E> {
     /// Writes what stands in the way of an operator's controller: every constraint without
     /// which it would work in the initial state, alone or after another one, with the
-    /// names of objects for the roles. For example `RobotPressButton(robby, button0,
-    /// stick) needs button0.y <= 2.9`.
+    /// names of objects for the roles, and what it comes to in numbers. For example
+    /// `RobotPressButton(robby, button0, stick) needs button0.y <= 2.9, and it is 4.1`.
     ///
     /// `operators` are those of the task, `reason` is what planning gives, such as
     /// [`Metrics::main_reason`](crate::plan::Metrics::main_reason). If there is no such
@@ -23,15 +24,16 @@ impl<E: Describe> RegionGuide<'_, E> {
     ///
     /// # Errors
     /// Those of `out`, and if the reason is not of this task.
-    pub fn explain(
+    pub fn explain<const N: usize>(
         &self,
-        operators: &[GroundOperator],
+        operators: &[GroundOperator<N>],
         ReasonId(place): ReasonId,
         out: &mut dyn Write,
     ) -> fmt::Result {
         let blocked = operators.get(usize::from(place)).ok_or(fmt::Error)?;
         let (after, joint) = self.cause(operators, place);
-        let controller = |ground| self.knowledge.controller(ground).ok_or(fmt::Error);
+        let controller =
+            |ground: &GroundOperator<N>| self.knowledge.controller(ground).ok_or(fmt::Error);
         let (own, later) = (controller(after.unwrap_or(blocked))?, controller(blocked)?);
         self.write_controller(&later, out)?;
         if after.is_some() {
@@ -40,7 +42,6 @@ impl<E: Describe> RegionGuide<'_, E> {
         }
         let mut out = Named {
             skill: None,
-            types: E::TYPES,
             context: Context {
                 environment: self.knowledge.environment,
                 state: self.initial,
@@ -52,17 +53,19 @@ impl<E: Describe> RegionGuide<'_, E> {
         };
         match write_constraints(&joint, true, &mut out)? {
             0 => write_constraints(&joint, false, &mut out).map(|_| ()),
-            _ => Ok(()),
+            1 => Ok(()),
+            2 => out.write_str("; they cannot both hold"),
+            _ => out.write_str("; they cannot all hold"),
         }
     }
 
     /// What keeps an operator from working: its own region, or else the first step after
     /// which it cannot work, or about which something is known at least.
-    fn cause<'o>(
+    fn cause<'o, const N: usize>(
         &self,
-        operators: &'o [GroundOperator],
+        operators: &'o [GroundOperator<N>],
         place: u16,
-    ) -> (Option<&'o GroundOperator>, JointRegion<'_>) {
+    ) -> (Option<&'o GroundOperator<N>>, JointRegion<'_>) {
         let known = |places: &[u16]| {
             let skeleton = Skeleton::new(operators, places);
             self.knowledge
@@ -83,13 +86,13 @@ impl<E: Describe> RegionGuide<'_, E> {
     }
 
     /// Writes a controller with its objects.
-    fn write_controller(&self, own: &GroundController<E>, out: &mut dyn Write) -> fmt::Result {
+    fn write_controller(&self, own: &GroundController, out: &mut dyn Write) -> fmt::Result {
         out.write_str(own.controller.name)?;
         let mut before = "(";
         for object in own.objects.as_slice() {
             out.write_str(before)?;
-            let name = self.initial.name(E::TYPES, *object).ok_or(fmt::Error)?;
-            name.write(out)?;
+            let environment = self.knowledge.environment;
+            environment.write_name(self.initial, *object, out)?;
             before = ", ";
         }
         out.write_str(if before == "(" { "()" } else { ")" })
@@ -98,12 +101,12 @@ impl<E: Describe> RegionGuide<'_, E> {
 
 /// Writes constraints of the regions; only those that alone keep the regions from meeting,
 /// or all. Returns how many.
-fn write_constraints<'t, E: Describe>(
+fn write_constraints<'t, E: Setting>(
     joint: &JointRegion<'t>,
     deciding: bool,
     out: &mut Named<'t, '_, E>,
 ) -> Result<u32, fmt::Error> {
-    let mut count = 0;
+    let (mut count, mut word) = (0, " needs ");
     let skills = joint.regions().iter().map(|region| region.skill);
     for (place, skill) in skills.enumerate() {
         let Some(region) = skill.region() else {
@@ -114,12 +117,20 @@ fn write_constraints<'t, E: Describe>(
                 continue;
             }
             out.skill = None;
-            out.write_str(if count == 0 { " needs " } else { " and " })?;
+            out.write_str(word)?;
             out.skill = Some(skill);
             let conjunct = region.formula().select(|own| own.index == index);
             let conjunct = conjunct.map_err(|_| fmt::Error)?;
             conjunct.write(skill.domain(), out)?;
             count += 1;
+            let instance = joint.parts().nth(place).map(|part| part.instance);
+            let here = instance.filter(|_| deciding);
+            let here = here.and_then(|own| Here::new(skill.domain(), own, &conjunct));
+            word = " and ";
+            if let Some(here) = here {
+                here.write(skill.domain(), out)?;
+                word = ", and ";
+            }
         }
     }
     Ok(count)
@@ -128,23 +139,25 @@ fn write_constraints<'t, E: Describe>(
 /// Puts the names of objects where a skill's domain has the names of roles.
 struct Named<'t, 'o, E> {
     skill: Option<&'t Skill>,
-    types: &'o [ObjectType],
     context: Context<'o, E>,
     out: &'o mut dyn Write,
 }
 
-impl<E: Describe> Write for Named<'_, '_, E> {
+impl<E: Setting> Write for Named<'_, '_, E> {
     /// Expressions are written name by name.
     fn write_str(&mut self, word: &str) -> fmt::Result {
-        let name = self.skill.and_then(|skill| {
+        let named = self.skill.and_then(|skill| {
             let mut roles = skill.domain().objects().iter();
             let role = roles.find(|o| o.name == word && o.member.is_none())?;
             let slot = usize::from(role.first_slot);
             let source = skill.binding().source(slot, &self.context);
-            self.context.state.name(self.types, source?.0)
+            source.map(|(object, _)| object)
         });
-        match name {
-            Some(name) => name.write(self.out),
+        let Context {
+            environment, state, ..
+        } = self.context;
+        match named {
+            Some(object) => environment.write_name(state, object, self.out),
             None => self.out.write_str(word),
         }
     }

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::plan::{Advice, Guide, Skeleton};
 use crate::skill::changes::Changes;
 use crate::skill::context::Context;
-use crate::skill::description::Describe;
+use crate::skill::setting::Setting;
 use crate::skill::skills::{Known, Skill, Skills};
 use crate::task::{ObjectId, State};
 
@@ -28,7 +28,7 @@ pub struct RegionGuide<'a, E> {
     pub prune: bool,
 }
 
-impl<'a, E: Describe> RegionGuide<'a, E> {
+impl<'a, E: Setting> RegionGuide<'a, E> {
     /// The guide by what is known of an environment, for a task with this initial state.
     pub fn new(environment: &'a E, skills: &'a Skills<'_>, initial: &'a State) -> Self {
         RegionGuide::from_known(environment, skills.known(), initial)
@@ -52,7 +52,7 @@ impl<'a, E: Describe> RegionGuide<'a, E> {
 
     /// The state that is expected after these steps, and a bit for each number of it that
     /// cannot be told.
-    fn expected(&self, before: Skeleton<'_>) -> (State, u64) {
+    fn expected<const N: usize>(&self, before: Skeleton<'_, N>) -> (State, u64) {
         let (mut state, mut unknown) = (self.initial.clone(), 0);
         for ground in before.iter() {
             match self.knowledge.controller(ground) {
@@ -67,7 +67,7 @@ impl<'a, E: Describe> RegionGuide<'a, E> {
     }
 
     /// Whether the last operator of a sequence cannot work.
-    fn is_blocked(&self, prefix: Skeleton<'_>) -> Result<bool, Error> {
+    fn is_blocked<const N: usize>(&self, prefix: Skeleton<'_, N>) -> Result<bool, Error> {
         for step in (0..prefix.len()).filter(|step| self.is_known(prefix, *step)) {
             let (state, unknown) = self.expected(prefix.until(step));
             let steps = prefix.from(step);
@@ -85,7 +85,7 @@ impl<'a, E: Describe> RegionGuide<'a, E> {
 
     /// Whether something is known of a step and the last one of a sequence, or of that
     /// one alone.
-    fn is_known(&self, prefix: Skeleton<'_>, step: usize) -> bool {
+    fn is_known<const N: usize>(&self, prefix: Skeleton<'_, N>, step: usize) -> bool {
         let controller = |ground| self.knowledge.controller(ground);
         let Some(own) = prefix.get(step).and_then(controller) else {
             return false;
@@ -98,7 +98,7 @@ impl<'a, E: Describe> RegionGuide<'a, E> {
 
 /// Whether all that the region of a skill reads can be told; `unknown` has a bit for each
 /// number of the state that cannot.
-fn is_told<E: Describe>(skill: &Skill, context: &Context<'_, E>, unknown: u64) -> bool {
+fn is_told(skill: &Skill, context: &Context<'_, impl Setting>, unknown: u64) -> bool {
     let (state, binding) = (context.state, skill.binding());
     let is_unknown = |object: ObjectId, attribute: usize| {
         let number = state.place(object).map_or(63, |first| first + attribute);
@@ -120,8 +120,8 @@ fn is_told<E: Describe>(skill: &Skill, context: &Context<'_, E>, unknown: u64) -
     unknown == 0 || skill.reads().all(is_told)
 }
 
-impl<E: Describe> Guide for RegionGuide<'_, E> {
-    fn judge(&mut self, prefix: Skeleton<'_>) -> Advice {
+impl<E: Setting, const N: usize> Guide<N> for RegionGuide<'_, E> {
+    fn judge(&mut self, prefix: Skeleton<'_, N>) -> Advice {
         // What cannot be evaluated is no reason to drop anything.
         if !self.is_blocked(prefix).unwrap_or(false) {
             return Advice::Keep;

@@ -69,7 +69,8 @@ impl<'s> JointRegion<'s> {
         &self.regions
     }
 
-    fn parts(&self) -> impl Iterator<Item = Part<'_>> + Clone {
+    /// The regions with their instances.
+    pub(super) fn parts(&self) -> impl Iterator<Item = Part<'_>> + Clone {
         let starts = core::iter::once(0).chain(self.regions.iter().map(|region| region.end));
         let regions = self.regions.iter().zip(starts);
         regions.filter_map(|(StepRegion { skill, end, .. }, start)| {

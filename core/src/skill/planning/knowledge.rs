@@ -4,11 +4,11 @@
 use super::joint_region::JointRegion;
 use crate::plan::{ReasonId, Skeleton};
 use crate::skill::context::Context;
-use crate::skill::description::Describe;
+use crate::skill::setting::{Setting, Signature};
 use crate::skill::skills::{Library, Skill};
-use crate::task::{Arguments, Controller, ControllerId, GroundOperator, State};
+use crate::task::{Arguments, ControllerId, GroundOperator, State};
 
-/// An environment, and the skills that are known of it.
+/// What skills are used in, and those that are known.
 #[derive(Debug)]
 pub(super) struct Knowledge<'a, E> {
     pub(super) environment: &'a E,
@@ -16,30 +16,34 @@ pub(super) struct Knowledge<'a, E> {
 }
 
 /// A controller with its objects.
-pub(super) struct GroundController<E: Describe> {
+pub(super) struct GroundController {
     pub(super) id: ControllerId,
-    pub(super) controller: &'static Controller<E>,
+    pub(super) controller: Signature,
     pub(super) objects: Arguments,
 }
 
-impl<E: Describe> GroundController<E> {
+impl GroundController {
     /// Whether its parameters count from now on, instead of those of an earlier one.
-    fn decides_anew(&self, earlier: &GroundController<E>) -> bool {
+    fn decides_anew(&self, earlier: &GroundController) -> bool {
         let mut objects = self.objects.as_slice().iter();
-        !self.controller.parameters.is_empty()
+        self.controller.parameters > 0
             && objects.any(|object| earlier.objects.as_slice().contains(object))
     }
 }
 
-impl<'a, E: Describe> Knowledge<'a, E> {
+impl<'a, E: Setting> Knowledge<'a, E> {
     /// The controller of a ground operator and its objects.
-    pub(super) fn controller(&self, ground: &GroundOperator) -> Option<GroundController<E>> {
-        let operator = self.environment.operator(ground).ok()?;
-        let objects = operator.controller_objects(ground.objects.as_slice());
+    pub(super) fn controller<const N: usize>(
+        &self,
+        ground: &GroundOperator<N>,
+    ) -> Option<GroundController> {
+        let objects = ground.objects.as_slice();
+        let (id, objects) = self.environment.call(ground.operator, objects).ok()?;
+        let controller = self.environment.signature(id).ok()?;
         Some(GroundController {
-            id: operator.controller,
-            controller: self.environment.controller(operator.controller).ok()?,
-            objects: objects.ok()?,
+            id,
+            controller,
+            objects,
         })
     }
 
@@ -51,9 +55,9 @@ impl<'a, E: Describe> Knowledge<'a, E> {
 
     /// The regions of a step, and those of later steps, in a state before the first; only
     /// those of which `counts` is true.
-    pub(super) fn joint_region(
+    pub(super) fn joint_region<const N: usize>(
         &self,
-        skeleton: Skeleton<'_>,
+        skeleton: Skeleton<'_, N>,
         state: &State,
         counts: impl Fn(&Skill, &Context<'_, E>) -> bool,
     ) -> JointRegion<'a> {
@@ -63,7 +67,7 @@ impl<'a, E: Describe> Knowledge<'a, E> {
             return joint;
         };
         self.add(&mut joint, (&first, None, 0), state, &counts);
-        if first.controller.parameters.is_empty() {
+        if first.controller.parameters == 0 {
             return joint;
         }
         for (step, later) in (1..).zip(controllers) {
@@ -79,7 +83,7 @@ impl<'a, E: Describe> Knowledge<'a, E> {
     fn add(
         &self,
         joint: &mut JointRegion<'a>,
-        (first, later, step): (&GroundController<E>, Option<&GroundController<E>>, usize),
+        (first, later, step): (&GroundController, Option<&GroundController>, usize),
         state: &State,
         counts: impl Fn(&Skill, &Context<'_, E>) -> bool,
     ) {
@@ -92,7 +96,8 @@ impl<'a, E: Describe> Knowledge<'a, E> {
                 later_objects: later.map_or(&[], |later| later.objects.as_slice()),
                 members: skill.description().members,
             };
-            if counts(skill, &context) {
+            let is_about = skill.is_about(context.objects, context.later_objects);
+            if is_about && counts(skill, &context) {
                 joint.add(skill, step, |out| skill.binding().instance(&context, out));
             }
         }
@@ -100,7 +105,7 @@ impl<'a, E: Describe> Knowledge<'a, E> {
 }
 
 /// The step of a sequence as the reason why something cannot work.
-pub(super) fn reason(sequence: Skeleton<'_>, step: usize) -> ReasonId {
+pub(super) fn reason<const N: usize>(sequence: Skeleton<'_, N>, step: usize) -> ReasonId {
     let place = sequence.places().get(step);
     ReasonId(place.copied().unwrap_or(u16::MAX))
 }

@@ -2,6 +2,7 @@
 
 mod explain;
 mod guide;
+mod here;
 mod joint_region;
 mod knowledge;
 mod original;

@@ -4,9 +4,9 @@ use super::joint_region::JointRegion;
 use super::knowledge::{Knowledge, reason};
 use super::original::completed;
 use crate::error::Error;
-use crate::plan::{Draw, Drawn, Sampler, Simulated};
+use crate::plan::{Draw, Drawn, Sampler, World};
 use crate::random::uniform;
-use crate::skill::description::Describe;
+use crate::skill::setting::Setting;
 use crate::skill::skills::{Library, Skills};
 use crate::skill::tuning::{MARGIN, REGION_DRAWS};
 use crate::task::State;
@@ -36,7 +36,7 @@ pub struct RegionSampler<'a, E> {
     pub everywhere: f64,
 }
 
-impl<'a, E: Describe> RegionSampler<'a, E> {
+impl<'a, E: Setting> RegionSampler<'a, E> {
     /// The sampler that draws from what is known of an environment.
     pub fn new(environment: &'a E, skills: &'a Skills<'_>) -> Self {
         RegionSampler::from_library(environment, skills.library())
@@ -54,18 +54,37 @@ impl<'a, E: Describe> RegionSampler<'a, E> {
         }
     }
 
+    /// Draws parameters as far as something is known, for planners whose states are others;
+    /// `None` if nothing is, or if advice does not count.
+    ///
+    /// # Errors
+    /// Those of the regions.
+    pub fn advise<R: Rng, const N: usize>(
+        &self,
+        draw: &Draw<'_, State, N>,
+        rng: &mut R,
+    ) -> Result<Option<Drawn>, Error> {
+        let everywhere = self.everywhere > 0.0 && uniform(rng) < self.everywhere;
+        if !draw.advised || everywhere {
+            return Ok(None);
+        }
+        let steps = draw.skeleton.from(draw.step);
+        let joint = self.knowledge.joint_region(steps, draw.state, |_, _| true);
+        self.draw(&joint, draw, rng)
+    }
+
     /// Draws where the regions meet; `None` if nothing is known.
-    fn draw<R: Rng>(
+    fn draw<R: Rng, const N: usize>(
         &self,
         joint: &JointRegion<'_>,
-        draw: &Draw<'_, State>,
+        draw: &Draw<'_, State, N>,
         rng: &mut R,
     ) -> Result<Option<Drawn>, Error> {
         if joint.regions().is_empty() {
             return Ok(None);
         }
         let own = self.knowledge.controller(draw.operator);
-        let sampled = own.is_some_and(|own| !own.controller.parameters.is_empty());
+        let sampled = own.is_some_and(|own| own.controller.parameters > 0);
         if sampled && joint.parameters() == 0 {
             // What is known is about the state, and leaves the parameters free.
             let empty = joint.is_proven_empty()?;
@@ -90,20 +109,26 @@ impl<'a, E: Describe> RegionSampler<'a, E> {
 }
 
 /// Blames the first step with which the regions have nothing in common.
-fn blame(joint: &JointRegion<'_>, draw: &Draw<'_, State>) -> Result<Drawn, Error> {
+fn blame<const N: usize>(
+    joint: &JointRegion<'_>,
+    draw: &Draw<'_, State, N>,
+) -> Result<Drawn, Error> {
     let step = draw.step + joint.blocking_step()?;
     Ok(Drawn::Empty(reason(draw.skeleton, step)))
 }
 
-impl<E: Describe> Sampler<Simulated<'_, E>> for RegionSampler<'_, E> {
-    fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
-        let everywhere = self.everywhere > 0.0 && uniform(rng) < self.everywhere;
-        if draw.advised && !everywhere {
-            let steps = draw.skeleton.from(draw.step);
-            let joint = self.knowledge.joint_region(steps, draw.state, |_, _| true);
-            if let Some(drawn) = self.draw(&joint, draw, rng)? {
-                return Ok(drawn);
-            }
+impl<E, W, const N: usize> Sampler<W, N> for RegionSampler<'_, E>
+where
+    E: Setting,
+    W: World<N, State = State>,
+{
+    fn sample<R: Rng>(
+        &mut self,
+        draw: &Draw<'_, State, N>,
+        rng: &mut R,
+    ) -> Result<Drawn, W::Error> {
+        if let Some(drawn) = self.advise(draw, rng)? {
+            return Ok(drawn);
         }
         let environment = self.knowledge.environment;
         let drawn = completed(environment, draw.operator, draw.state, &[], rng);

@@ -6,11 +6,11 @@ use crate::error::Error;
 use crate::random::generator;
 use crate::region::Theta;
 use crate::skill::context::Context;
-use crate::skill::description::Describe;
 use crate::skill::planning::proposal;
+use crate::skill::setting::Practice;
 use crate::skill::skills::Skill;
 use crate::table::swap_rows;
-use crate::task::{Arguments, Atoms, ControllerId, GroundOperator, State, Task, ground_operators};
+use crate::task::{Arguments, ControllerId, GroundOperator, State};
 
 /// Lists the candidates of a skill in the order of the tasks, so many at most and as many as
 /// there is room for, with the numbers of their instances and parameters of the original
@@ -19,10 +19,10 @@ use crate::task::{Arguments, Atoms, ControllerId, GroundOperator, State, Task, g
 ///
 /// # Errors
 /// [`Error::CapacityExceeded`] if the atoms or ground operators of a task find no room.
-pub(super) fn list<E: Describe>(
+pub(super) fn list<E: Practice>(
     environment: &E,
     skill: &Skill,
-    tasks: &[Task],
+    tasks: &[E::Task],
     (most, direct): (usize, bool),
     memory: &mut TrainingMemory<'_>,
 ) -> Result<usize, Error> {
@@ -37,10 +37,8 @@ pub(super) fn list<E: Describe>(
     };
     let about = skill.description();
     for (index, task) in (0..).zip(tasks) {
-        let atoms = Atoms::new::<E>(&task.initial)?;
         operators.clear();
-        ground_operators(E::OPERATORS, &task.initial, &atoms, operators)?;
-        let initial = atoms.abstract_state(environment, &task.initial);
+        let (_, initial) = environment.ground(task, operators)?;
         let own = of_controller(environment, operators, about.controller);
         for (own, objects) in own.filter(|(own, _)| !direct || own.is_applicable(initial)) {
             let later = about
@@ -54,7 +52,7 @@ pub(super) fn list<E: Describe>(
                     objects,
                     later_objects,
                 };
-                if !list.add(environment, &task.initial, own, candidate) {
+                if !list.add(environment, environment.initial(task), own, candidate) {
                     return Ok(list.count);
                 }
             }
@@ -75,9 +73,9 @@ struct List<'m> {
 impl List<'_> {
     /// Adds a candidate, unless it is there or somebody is missing for a role. Tells
     /// whether there was room.
-    fn add<E: Describe>(
+    fn add(
         &mut self,
-        environment: &E,
+        environment: &impl Practice,
         state: &State,
         own: &GroundOperator,
         candidate: Candidate,
@@ -102,7 +100,8 @@ impl List<'_> {
             later_objects: candidate.later_objects.as_slice(),
             members: self.skill.description().members,
         };
-        if self.skill.binding().instance(&context, numbers).is_ok() {
+        let is_about = self.skill.is_about(context.objects, context.later_objects);
+        if is_about && self.skill.binding().instance(&context, numbers).is_ok() {
             *theta = proposal(environment, own, state, &mut generator(count as u64));
             *place = candidate;
             self.count += 1;
@@ -112,16 +111,16 @@ impl List<'_> {
 }
 
 /// The ground operators of a controller, with its objects.
-pub(super) fn of_controller<'o, E: Describe>(
-    environment: &E,
+pub(super) fn of_controller<'o>(
+    environment: &impl Practice,
     operators: &'o [GroundOperator],
     controller: ControllerId,
 ) -> impl Iterator<Item = (&'o GroundOperator, Arguments)> {
     operators.iter().filter_map(move |ground| {
-        let operator = environment.operator(ground).ok()?;
-        let own = operator.controller == controller;
-        let objects = operator.controller_objects(ground.objects.as_slice());
-        own.then_some((ground, objects.ok()?))
+        let (own, objects) = environment
+            .call(ground.operator, ground.objects.as_slice())
+            .ok()?;
+        (own == controller).then_some((ground, objects))
     })
 }
 

@@ -1,6 +1,7 @@
 //! How much is tried to learn a skill, and what it took.
 
 use crate::learn::Config;
+use crate::learn::version_space::{Quality, Report, Why};
 use crate::skill::tuning::CANDIDATES;
 
 /// How much is tried to learn a skill. The defaults suit an environment whose tasks cost
@@ -45,7 +46,7 @@ impl Training {
 }
 
 /// What it took to learn a skill.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Learned {
     /// Whether there is a region.
     pub region: bool,
@@ -55,4 +56,10 @@ pub struct Learned {
     pub situations: usize,
     /// Controllers that were run, those on the way to a situation included.
     pub runs: u32,
+    /// What the learner was told, and what draws from the region prove.
+    pub report: Report,
+    /// What the region is worth.
+    pub quality: Quality,
+    /// Why there is no region, or no better one.
+    pub why: Why,
 }

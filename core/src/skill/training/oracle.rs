@@ -3,14 +3,14 @@
 use super::situation::{MAX_CHAIN, Situation};
 use crate::error::Error;
 use crate::learn::Outcome;
-use crate::plan::{Draw, Drawn, Sampler, Skeleton};
+use crate::plan::{Draw, Drawn, Skeleton};
 use crate::random::Generator;
 use crate::skill::changes::Changes;
-use crate::skill::description::Describe;
 use crate::skill::planning::{RegionSampler, completed};
+use crate::skill::setting::{Practice, Setting};
 use crate::skill::skills::{Library, Skills};
 use crate::skill::tuning::TRIES;
-use crate::task::{GroundOperator, State, try_operator};
+use crate::task::{GroundOperator, State};
 
 /// Answers whether parameters are feasible in a situation, by running controllers (the
 /// simulator of thesis 4.3). What they change is noted.
@@ -33,7 +33,7 @@ enum Tried {
     Impossible,
 }
 
-impl<'a, E: Describe> Oracle<'a, E> {
+impl<'a, E: Practice> Oracle<'a, E> {
     /// An oracle that draws parameters that are free from what is known so far.
     pub fn new(environment: &'a E, skills: &'a mut Skills<'_>) -> Self {
         Oracle::from_known(environment, skills.known_mut())
@@ -135,17 +135,17 @@ impl<'a, E: Describe> Oracle<'a, E> {
                 Drawn::Empty(_) | Drawn::Nothing => return Ok(Tried::Impossible),
             },
         };
-        let (operator, objects) = (environment.operator(ground)?, ground.objects.as_slice());
-        let tried = try_operator(environment, operator, objects, &parameters, state);
+        let mut after = state.clone();
+        let works = environment.try_operator(ground, &parameters, &mut after)?;
         self.runs += 1;
-        if !tried.is_feasible() {
+        if !works {
             return Ok(Tried::Fails);
         }
-        let arguments = operator.controller_objects(objects)?;
-        if let Some(changes) = self.changes.get_mut(usize::from(operator.controller.0)) {
-            changes.observe(arguments.as_slice(), state, &tried.state);
+        let (controller, objects) = environment.call(ground.operator, ground.objects.as_slice())?;
+        if let Some(changes) = self.changes.get_mut(usize::from(controller.0)) {
+            changes.observe(objects.as_slice(), state, &after);
         }
-        *state = tried.state;
+        *state = after;
         Ok(Tried::Works)
     }
 
@@ -171,13 +171,19 @@ impl<'a, E: Describe> Oracle<'a, E> {
             attempt,
             advised: true,
         };
-        RegionSampler::from_library(self.environment, self.library).sample(&draw, rng)
+        let sampler = RegionSampler::from_library(self.environment, self.library);
+        match sampler.advise(&draw, rng)? {
+            Some(drawn) => Ok(drawn),
+            None => {
+                let original = completed(self.environment, operator, state, &[], rng);
+                Ok(Drawn::Parameters(original))
+            }
+        }
     }
 }
 
 /// Whether the controller of an operator has parameters.
-fn is_sampled<E: Describe>(environment: &E, ground: &GroundOperator) -> Result<bool, Error> {
-    let operator = environment.operator(ground)?;
-    let controller = environment.controller(operator.controller)?;
-    Ok(!controller.parameters.is_empty())
+fn is_sampled(environment: &impl Setting, ground: &GroundOperator) -> Result<bool, Error> {
+    let (controller, _) = environment.call(ground.operator, ground.objects.as_slice())?;
+    Ok(environment.signature(controller)?.parameters > 0)
 }

@@ -4,14 +4,13 @@
 use super::candidates::of_controller;
 use super::situation::{Candidate, MAX_CHAIN, Situation, controller_objects};
 use crate::error::Error;
-use crate::plan::{AbstractTask, Conclusion, Config, Memory, Planner, Simulated};
+use crate::plan::{AbstractTask, Conclusion, Config, Memory, Planner, World};
 use crate::random::generator;
-use crate::skill::description::{Describe, Description};
+use crate::skill::description::Description;
 use crate::skill::planning::{RegionGuide, RegionSampler};
+use crate::skill::setting::Practice;
 use crate::skill::skills::Known;
-use crate::task::{
-    Arguments, AtomSet, Atoms, ControllerId, GroundOperator, State, Task, ground_operators,
-};
+use crate::task::{Arguments, AtomSet, Atoms, ControllerId, GroundOperator, State};
 use heapless::{Vec, VecView};
 
 /// The operators to try, one after the other.
@@ -24,12 +23,14 @@ pub(super) struct RestrictedTask<'t, 'o, E> {
     /// What is known so far.
     known: Known<'t>,
     initial: &'t State,
+    /// What holds in the beginning.
+    holding: AtomSet,
     atoms: Atoms,
     operators: &'o [GroundOperator],
     candidate: Candidate,
 }
 
-impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
+impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
     /// A task as a candidate sees it. The ground operators are put into `operators`.
     ///
     /// # Errors
@@ -37,13 +38,12 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
     pub(super) fn new(
         environment: &'t E,
         known: Known<'t>,
-        task: &'t Task,
+        task: &'t E::Task,
         candidate: Candidate,
         operators: &'o mut VecView<GroundOperator>,
     ) -> Result<Self, Error> {
-        let atoms = Atoms::new::<E>(&task.initial)?;
         operators.clear();
-        ground_operators(E::OPERATORS, &task.initial, &atoms, operators)?;
+        let (atoms, holding) = environment.ground(task, operators)?;
         operators.retain(|ground| {
             let own = controller_objects(environment, ground);
             own.is_ok_and(|own| own.as_slice().iter().all(|object| candidate.has(*object)))
@@ -51,7 +51,8 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
         Ok(RestrictedTask {
             environment,
             known,
-            initial: &task.initial,
+            initial: environment.initial(task),
+            holding,
             atoms,
             operators,
             candidate,
@@ -74,7 +75,7 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
         let Some(state) = state else {
             return Ok((None, runs));
         };
-        let before = self.atoms.abstract_state(self.environment, &state);
+        let before = self.world().abstraction(&state)?;
         let applicable = own().filter(|own| own.is_applicable(before));
         let chains = applicable.filter_map(|own| match about.later {
             Some(later) => self.chain(before, own, later),
@@ -108,17 +109,14 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
         seed: u64,
         mut memory: Memory<'_, State>,
     ) -> Result<(Option<State>, u32), Error> {
-        let initial = self.atoms.abstract_state(self.environment, self.initial);
+        let initial = self.holding;
         if own().any(|ground| ground.is_applicable(initial)) {
             return Ok((Some(self.initial.clone()), 0));
         }
         let mut runs = 0;
         for ground in own() {
             let mut planner = Planner {
-                world: &mut Simulated {
-                    environment: self.environment,
-                    atoms: &self.atoms,
-                },
+                world: &mut self.world(),
                 sampler: &mut RegionSampler::from_library(self.environment, self.known.0),
                 guide: &mut RegionGuide::from_known(self.environment, self.known, self.initial),
                 config: Config::default(),
@@ -172,6 +170,14 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
         })
     }
 
+    /// The environment as a world to plan in.
+    fn world(&self) -> TaskWorld<'_, E> {
+        TaskWorld {
+            environment: self.environment,
+            atoms: &self.atoms,
+        }
+    }
+
     /// Whether the controllers of two operators have an object in common.
     fn share_objects(&self, first: &GroundOperator, second: &GroundOperator) -> bool {
         let objects = |ground| controller_objects(self.environment, ground);
@@ -180,6 +186,54 @@ impl<'t, 'o, E: Describe> RestrictedTask<'t, 'o, E> {
         };
         let mut all = first.as_slice().iter();
         all.any(|object| second.as_slice().contains(object))
+    }
+}
+
+/// What skills are learned in, as a world to plan in.
+struct TaskWorld<'a, E> {
+    environment: &'a E,
+    atoms: &'a Atoms,
+}
+
+impl<E: Practice> TaskWorld<'_, E> {
+    /// The atoms that hold in a state.
+    fn abstraction(&mut self, state: &State) -> Result<AtomSet, Error> {
+        let mut holding = AtomSet::EMPTY;
+        for (place, atom) in (0..).zip(self.atoms.as_slice()) {
+            if self.environment.holds(atom, state)? {
+                holding = holding.union(AtomSet::single(place));
+            }
+        }
+        Ok(holding)
+    }
+}
+
+impl<E: Practice> World for TaskWorld<'_, E> {
+    type State = State;
+    type Error = Error;
+
+    fn parameters(&self, ground: &GroundOperator) -> Result<usize, Error> {
+        let (controller, _) = self
+            .environment
+            .call(ground.operator, ground.objects.as_slice())?;
+        Ok(self.environment.signature(controller)?.parameters)
+    }
+
+    fn holds(&mut self, atom: u32, state: &State) -> Result<bool, Error> {
+        let atom = self.atoms.as_slice().get(atom as usize);
+        let atom = atom.ok_or(Error::Mismatch("an atom is not of this task"))?;
+        self.environment.holds(atom, state)
+    }
+
+    fn execute(
+        &mut self,
+        ground: &GroundOperator,
+        parameters: &[f64],
+        before: &State,
+        after: &mut State,
+    ) -> Result<u32, Error> {
+        after.clone_from(before);
+        self.environment.execute(ground, parameters, after)
     }
 }
 

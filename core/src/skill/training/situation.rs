@@ -4,8 +4,8 @@ use crate::error::Error;
 use crate::learn::Outcome;
 use crate::region::Theta;
 use crate::skill::context::Context;
-use crate::skill::description::Describe;
 use crate::skill::planning::proposal;
+use crate::skill::setting::Setting;
 use crate::skill::skills::Skill;
 use crate::task::{Arguments, GroundOperator, ObjectId, State};
 use heapless::Vec;
@@ -32,9 +32,9 @@ impl Situation {
     ///
     /// # Errors
     /// [`Error::Mismatch`] if it is not a situation of this skill and environment.
-    pub fn instance<E: Describe>(
+    pub fn instance(
         &self,
-        environment: &E,
+        environment: &impl Setting,
         skill: &Skill,
         out: &mut [f64],
     ) -> Result<(), Error> {
@@ -55,7 +55,7 @@ impl Situation {
     }
 
     /// Parameters that the original sampler draws for the first operator.
-    pub fn proposal<E: Describe>(&self, environment: &E, rng: &mut impl Rng) -> Theta {
+    pub fn proposal(&self, environment: &impl Setting, rng: &mut impl Rng) -> Theta {
         let own = self.steps.first();
         own.map_or(Theta::default(), |own| {
             proposal(environment, own, &self.state, rng)
@@ -83,10 +83,10 @@ impl Candidate {
 }
 
 /// The objects of the controller of an operator.
-pub(super) fn controller_objects<E: Describe>(
-    environment: &E,
+pub(super) fn controller_objects(
+    environment: &impl Setting,
     ground: &GroundOperator,
 ) -> Result<Arguments, Error> {
-    let operator = environment.operator(ground)?;
-    operator.controller_objects(ground.objects.as_slice())
+    let (_, objects) = environment.call(ground.operator, ground.objects.as_slice())?;
+    Ok(objects)
 }

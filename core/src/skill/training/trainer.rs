@@ -9,14 +9,14 @@ use super::selection::select_differing;
 use super::situation::Situation;
 use crate::domain::Domain;
 use crate::error::Error;
+use crate::learn::version_space::Why;
 use crate::learn::{Capacity, Config, Learner, Outcome, Problem, VersionSpace, learn_region};
 use crate::random::{Generator, generator};
 use crate::region::Region;
-use crate::skill::description::Describe;
+use crate::skill::setting::Practice;
 use crate::skill::skills::{Known, Library, Skill, Skills};
 use crate::skill::tuning::ROUNDS;
 use crate::table::swap_rows;
-use crate::task::Task;
 
 const NO_SKILL: Error = Error::InvalidArgument("there is no skill with this index");
 const NO_SITUATION: Error = Error::InvalidArgument("there is no situation with this index");
@@ -34,12 +34,11 @@ pub struct Trainer<'t, 'm, E> {
 }
 
 /// A skill that is to be learned, and what from.
-#[derive(Clone, Copy)]
-struct Lesson<'s> {
+struct Lesson<'s, T> {
     skill: &'s Skill,
     /// What is known so far.
     known: Known<'s>,
-    tasks: &'s [Task],
+    tasks: &'s [T],
 }
 
 /// By which criteria situations are selected.
@@ -55,7 +54,7 @@ struct Criteria {
     direct: bool,
 }
 
-impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
+impl<'t, 'm, E: Practice> Trainer<'t, 'm, E> {
     /// A trainer for an environment that tries so much.
     pub fn new(environment: &'t E, training: Training, memory: TrainingMemory<'m>) -> Self {
         Trainer {
@@ -80,7 +79,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
         &mut self,
         skills: &mut Skills<'_>,
         index: usize,
-        tasks: &[Task],
+        tasks: &[E::Task],
     ) -> Result<Learned, Error> {
         let (library, changes) = skills.known_mut();
         let skill = library.get(index).ok_or(NO_SKILL)?;
@@ -89,7 +88,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
             known: (library, &*changes),
             tasks,
         };
-        let mut learned = self.collect(lesson, self.criteria(skill))?;
+        let mut learned = self.collect(&lesson, self.criteria(skill))?;
         let mut oracle = Oracle::from_known(self.environment, (library, changes));
         let mut rng = generator(self.training.learner.seed ^ index as u64);
         if !skill.has_parameters() {
@@ -105,7 +104,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
             calls: self.questions(library, skill, learned.runs + oracle.runs()),
             ..self.training.learner
         };
-        let region = self.fit(skill, learned.situations, config, &mut oracle, &mut rng)?;
+        let region = self.fit(skill, &mut learned, config, &mut oracle, &mut rng)?;
         learned.runs += oracle.runs();
         learned.region = region.is_some();
         skills.get_mut(index).ok_or(NO_SKILL)?.set_region(region);
@@ -121,7 +120,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
         &mut self,
         skills: &Skills<'_>,
         index: usize,
-        tasks: &[Task],
+        tasks: &[E::Task],
         most: usize,
     ) -> Result<&[Option<Situation>], Error> {
         let skill = skills.get(index).ok_or(NO_SKILL)?;
@@ -136,7 +135,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
             differing: false,
             direct: false,
         };
-        let count = self.collect(lesson, criteria)?.situations;
+        let count = self.collect(&lesson, criteria)?.situations;
         Ok(self.memory.situations.get(..count).unwrap_or_default())
     }
 
@@ -161,24 +160,29 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
 
     /// Collects situations of a skill. Tells how many there are, from how many tasks, and
     /// how many controllers were run to get there.
-    fn collect(&mut self, lesson: Lesson<'_>, criteria: Criteria) -> Result<Learned, Error> {
+    fn collect(
+        &mut self,
+        lesson: &Lesson<'_, E::Task>,
+        criteria: Criteria,
+    ) -> Result<Learned, Error> {
         let room = criteria.situations.min(self.memory.situations.len());
         let candidates = self.select(lesson, room, criteria)?;
         let used = self.memory.candidates.get(..candidates).unwrap_or_default();
         let tasks = distinct_tasks(used);
         let (situations, runs) = self.realise(lesson, candidates, room)?;
         Ok(Learned {
-            region: false,
             tasks,
             situations,
             runs,
+            why: Why::NothingTold,
+            ..Learned::default()
         })
     }
 
     /// Selects candidates for so many situations. Returns how many there are.
     fn select(
         &mut self,
-        Lesson { skill, tasks, .. }: Lesson<'_>,
+        Lesson { skill, tasks, .. }: &Lesson<'_, E::Task>,
         room: usize,
         criteria: Criteria,
     ) -> Result<usize, Error> {
@@ -210,7 +214,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
             skill,
             known,
             tasks,
-        }: Lesson<'_>,
+        }: &Lesson<'_, E::Task>,
         candidates: usize,
         room: usize,
     ) -> Result<(usize, u32), Error> {
@@ -224,7 +228,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
                     break;
                 };
                 let operators = &mut *memory.operators;
-                let task = RestrictedTask::new(environment, known, task, *candidate, operators)?;
+                let task = RestrictedTask::new(environment, *known, task, *candidate, operators)?;
                 let (seed, planner) = ((round << 16 | index) << 32, memory.planner.reborrow());
                 let (situation, more) = task.realise(skill.description(), seed, planner)?;
                 runs += more;
@@ -252,15 +256,17 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
         if is_only { left.max(calls) } else { calls }
     }
 
-    /// Learns a region from the first situations. `None` if nothing explains the answers.
+    /// Learns a region from the situations that were found, and notes how that went. `None`
+    /// if nothing explains the answers.
     fn fit(
         &mut self,
         skill: &Skill,
-        situations: usize,
+        learned: &mut Learned,
         config: Config,
         oracle: &mut Oracle<'_, E>,
         rng: &mut Generator,
     ) -> Result<Option<Region>, Error> {
+        let situations = learned.situations;
         self.write_instances(skill, situations)?;
         let (domain, memory) = (skill.domain(), &mut self.memory);
         let numbers = situations * skill.binding().len();
@@ -284,9 +290,12 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
                     oracle.answer(situation, theta, rng)
                 }
             }
-        });
+        })
+        .map(|_| ());
+        learned.report = learner.report();
+        (learned.quality, learned.why) = (learner.quality(), learner.why());
         match outcome {
-            Ok(_) => last_step(&learner, domain, steps),
+            Ok(()) => last_step(&learner, domain, steps),
             Err(Error::NoRegion) => Ok(None),
             Err(error) => Err(error),
         }
@@ -312,7 +321,7 @@ impl<'t, 'm, E: Describe> Trainer<'t, 'm, E> {
 
 /// Tries situations without parameters, and moves to the front those that say something:
 /// of two controllers, those in which the first one works. Returns how many they are.
-fn try_states<E: Describe>(
+fn try_states<E: Practice>(
     skill: &Skill,
     situations: &mut [Option<Situation>],
     oracle: &mut Oracle<'_, E>,
