@@ -11,6 +11,7 @@ static void no_handle(critreg_learner *learner, critreg_status expected)
     critreg_report report;
     size_t instance, number, needed;
     double theta = 0.0;
+    uint64_t id = 0;
     int32_t finished;
     uint8_t bytes[64];
     char text[64];
@@ -22,6 +23,11 @@ static void no_handle(critreg_learner *learner, critreg_status expected)
     EXPECT(expected,
            critreg_observe(learner, WALLS, INSTANCES, 0, &theta, CRITREG_FEASIBLE));
     EXPECT(expected, critreg_conclude(learner, WALLS, INSTANCES));
+    EXPECT(expected, critreg_ask_many(learner, WALLS, INSTANCES, 1, &id, &instance, &theta,
+                                      &number));
+    EXPECT(expected, critreg_tell_id(learner, WALLS, INSTANCES, id, CRITREG_FEASIBLE));
+    EXPECT(expected, critreg_forget(learner, id));
+    EXPECT(expected, critreg_open_questions(learner, 1, &id, &instance, &theta, &number));
     EXPECT(expected, critreg_is_finished(learner, &finished));
     EXPECT(expected, critreg_learner_region(learner, &region));
     EXPECT(expected, critreg_learner_report(learner, &report));

@@ -64,10 +64,11 @@
 #define CRITREG_HAS_MANY_OBSERVATIONS (1 << 4)
 #define CRITREG_HAS_BODIES (1 << 5)
 #define CRITREG_DOMAIN_TEXT_MAX 2048
-#define CRITREG_LEARNER_FIXED_BYTES 21504
+#define CRITREG_LEARNER_FIXED_BYTES 22700
 #define CRITREG_REGION_FIXED_BYTES 12544
 #define CRITREG_HANDLE_POINTERS 656
 #define CRITREG_OBSERVATION_BYTES 76
+#define CRITREG_QUESTION_BYTES 88
 #define CRITREG_FEATURE_BYTES 26
 #define CRITREG_SPAN_BYTES 16
 #define CRITREG_SUM_BYTES 24
@@ -106,6 +107,8 @@
 #define CRITREG_DEFAULT_FORMS 4096
 #define CRITREG_MAX_DEFAULT_FORMS (1 << 24)
 #define CRITREG_DEFAULT_INSTANCES 16
+#define CRITREG_DEFAULT_QUESTIONS 16
+#define CRITREG_MAX_QUESTIONS 64
 #define CRITREG_MAX_STEPS 4
 #define CRITREG_MAX_OBSERVATIONS 2048
 #define CRITREG_MAX_REGIONS 32
@@ -197,6 +200,7 @@ typedef struct critreg_config {
     uint32_t precision;
     uint32_t sums;
     double precision_wanted;
+    uint32_t questions;
 } critreg_config;
 typedef int32_t critreg_outcome;
 typedef critreg_status (*critreg_simulate)(void *user_data,
@@ -387,6 +391,27 @@ critreg_status critreg_tell(struct critreg_learner *learner,
                             const double *instances,
                             size_t count,
                             critreg_outcome outcome);
+critreg_status critreg_ask_many(struct critreg_learner *learner,
+                                const double *instances,
+                                size_t count,
+                                size_t wanted,
+                                uint64_t *ids,
+                                size_t *instance_numbers,
+                                double *thetas,
+                                size_t *given);
+critreg_status critreg_tell_id(struct critreg_learner *learner,
+                               const double *instances,
+                               size_t count,
+                               uint64_t id,
+                               critreg_outcome outcome);
+critreg_status critreg_forget(struct critreg_learner *learner,
+                              uint64_t id);
+critreg_status critreg_open_questions(struct critreg_learner *learner,
+                                      size_t wanted,
+                                      uint64_t *ids,
+                                      size_t *instance_numbers,
+                                      double *thetas,
+                                      size_t *given);
 critreg_status critreg_is_finished(const struct critreg_learner *learner,
                                    int32_t *finished);
 critreg_status critreg_learner_region(struct critreg_learner *learner,

@@ -115,6 +115,11 @@ impl Trial {
         &self.question.query
     }
 
+    /// Whether it is to be asked again: after an answer that was not enough, or none.
+    pub(super) fn is_undecided(&self) -> bool {
+        self.state == State::Again || (self.state == State::Forgotten && self.lead != 0)
+    }
+
     pub(super) fn is_open(&self) -> bool {
         self.state == State::Open
     }

@@ -143,6 +143,11 @@ fn versions_and_capabilities() {
 }
 
 #[test]
+fn several_questions_at_once() {
+    passes("questions", &["questions.c"]);
+}
+
+#[test]
 fn learning_with_float() {
     passes("precision", &["precision.c"]);
 }

@@ -1,5 +1,6 @@
 //! Runs that grow: more calls, a larger memory, more instances.
 
+use crate::shelf::{SHELF, fits, go_on, room, saved, shelves};
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config, Quality};
@@ -11,23 +12,7 @@ use critreg::random::{generator, uniform_in};
 use critreg_tests::room::VersionSpaceRoom;
 use proptest::prelude::*;
 
-const SHELF: &str = "
-    object cup   { x: length, y: length }
-    object shelf { x: length, y: length }
-    constant margin = 0.25: length
-    parameter px in [0, 4]: length
-    parameter py in [0, 4]: length
-    point hand = world + (px, py)
-";
-
 const INSTANCES: usize = 12;
-
-fn room(observations: usize) -> VersionSpaceRoom {
-    VersionSpaceRoom::new(Capacity {
-        instances: INSTANCES,
-        ..Capacity::new(4096, observations)
-    })
-}
 
 fn config(seed: u64, calls: u32) -> Config {
     Config {
@@ -37,43 +22,15 @@ fn config(seed: u64, calls: u32) -> Config {
     }
 }
 
-fn shelves(seed: u64) -> Vec<f64> {
-    let mut rng = generator(seed);
-    let numbers = 0..4 * INSTANCES;
-    numbers.map(|_| uniform_in(&mut rng, 0.5, 3.5)).collect()
-}
-
 /// The problem of the first so many instances.
 fn problem<'p>(domain: &'p Domain<'p>, shelves: &'p [f64], count: usize) -> Problem<'p> {
     Problem::new(domain, &shelves[..4 * count], count).unwrap()
 }
 
-/// Left of the cup, and above the shelf.
-fn fits(problem: &Problem<'_>, query: &Query) -> Outcome {
-    let [cup_x, _, _, shelf_y] = *problem.instance(query.instance).unwrap() else {
-        panic!("four numbers")
-    };
-    let [x, y, ..] = query.theta;
-    Outcome::from_feasible(x <= cup_x - 0.25 && y >= shelf_y + 0.25)
-}
-
-fn go_on(learner: &mut VersionSpace<'_, f64>, problem: &Problem<'_>, calls: usize) {
-    for _ in 0..calls {
-        let query = learner.ask(problem).unwrap();
-        learner.tell(problem, fits(problem, &query)).unwrap();
-    }
-}
-
-fn saved(learner: &VersionSpace<'_, f64>, problem: &Problem<'_>) -> Vec<u8> {
-    let mut bytes = vec![0; saved_len(learner, problem)];
-    save(learner, problem, &mut bytes).unwrap();
-    bytes
-}
-
 #[test]
 fn a_run_goes_on_with_more_calls_in_a_larger_memory() {
     let domain = Domain::parse(SHELF).unwrap();
-    let shelves = shelves(1);
+    let shelves = shelves(1, INSTANCES);
     let problem = problem(&domain, &shelves, 8);
     let (mut small, mut large) = (room(20), room(100));
     let capacity = small.capacity;
@@ -100,7 +57,7 @@ fn a_run_goes_on_with_more_calls_in_a_larger_memory() {
 #[test]
 fn only_appended_instances_are_the_same_problem() {
     let domain = Domain::parse(SHELF).unwrap();
-    let shelves = shelves(1);
+    let shelves = shelves(1, INSTANCES);
     let mut room = VersionSpaceRoom::new(Capacity {
         instances: 8,
         ..Capacity::new(4096, 100)
@@ -140,7 +97,7 @@ fn appended(learner: &VersionSpace<'_, f64>, problem: &Problem<'_>, from: usize)
 #[test]
 fn a_journal_is_checked() {
     let domain = Domain::parse(SHELF).unwrap();
-    let shelves = shelves(1);
+    let shelves = shelves(1, INSTANCES);
     let problem = problem(&domain, &shelves, 4);
     let (mut first, mut second) = (room(100), room(100));
     let capacity = first.capacity;
@@ -182,7 +139,7 @@ proptest! {
         seed in any::<u64>(), few in 0usize..30, before in 0usize..30, after in 0usize..30,
     ) {
         let domain = Domain::parse(SHELF).unwrap();
-        let shelves = shelves(seed);
+        let shelves = shelves(seed, INSTANCES);
         let mut written = Vec::new();
         let (mut first, mut second) = (room(100), room(100));
         let capacity = first.capacity;
@@ -212,7 +169,7 @@ proptest! {
         seed in any::<u64>(), before in 0usize..50, asked in any::<bool>(), after in 1usize..40,
     ) {
         let domain = Domain::parse(SHELF).unwrap();
-        let shelves = shelves(seed);
+        let shelves = shelves(seed, INSTANCES);
         let few = problem(&domain, &shelves, 3);
         let more = problem(&domain, &shelves, INSTANCES);
         let (mut first, mut second) = (room(100), room(100));

@@ -7,4 +7,6 @@ mod learners;
 mod membership;
 mod observing;
 mod proposals;
+mod questions;
+mod shelf;
 mod version_space;

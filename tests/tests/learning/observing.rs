@@ -1,5 +1,6 @@
 //! What was not asked: logs and demonstrations.
 
+use crate::shelf::{SHELF, fits, room, saved, shelves};
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config, Quality, Why};
@@ -17,23 +18,7 @@ const SLOT: &str = "
     parameter px in [0, 1]: length
 ";
 
-const SHELF: &str = "
-    object cup   { x: length, y: length }
-    object shelf { x: length, y: length }
-    constant margin = 0.25: length
-    parameter px in [0, 4]: length
-    parameter py in [0, 4]: length
-    point hand = world + (px, py)
-";
-
 const INSTANCES: usize = 8;
-
-fn room(observations: usize) -> VersionSpaceRoom {
-    VersionSpaceRoom::new(Capacity {
-        instances: 16,
-        ..Capacity::new(4096, observations)
-    })
-}
 
 fn theta(values: &[f64]) -> Theta {
     let mut theta = Theta::default();
@@ -46,21 +31,6 @@ fn anywhere(rng: &mut Generator, count: usize) -> Query {
         instance: (uniform_in(rng, 0.0, count as f64) as usize).min(count - 1),
         theta: theta(&[uniform_in(rng, 0.0, 4.0), uniform_in(rng, 0.0, 4.0)]),
     }
-}
-
-fn shelves(seed: u64, count: usize) -> Vec<f64> {
-    let mut rng = generator(seed);
-    let numbers = 0..4 * count;
-    numbers.map(|_| uniform_in(&mut rng, 0.5, 3.5)).collect()
-}
-
-/// Left of the cup, and above the shelf.
-fn fits(problem: &Problem<'_>, query: &Query) -> Outcome {
-    let [cup_x, _, _, shelf_y] = *problem.instance(query.instance).unwrap() else {
-        panic!("four numbers")
-    };
-    let [x, y, ..] = query.theta;
-    Outcome::from_feasible(x <= cup_x - 0.25 && y >= shelf_y + 0.25)
 }
 
 /// Whether a slot of some width is learned to a fiftieth of that, from demonstrations in the
@@ -277,8 +247,7 @@ proptest! {
         for deed in before {
             perform(&mut whole, &problem, deed);
         }
-        let mut bytes = vec![0; saved_len(&whole, &problem)];
-        prop_assert_eq!(save(&whole, &problem, &mut bytes).unwrap(), bytes.len());
+        let bytes = saved(&whole, &problem);
         let mut part = VersionSpace::new(&domain, config, capacity, second.lend()).unwrap();
         resume(&mut part, &problem, &bytes).unwrap();
         for deed in after {

@@ -28,7 +28,7 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Whether the sample of a query is asked about already.
     pub(super) fn is_asked(&self, query: &Query) -> bool {
         let mut trials = self.trials.as_slice().iter();
-        trials.any(|trial| trial.is_open() && trial.query() == query)
+        trials.any(|trial| trial.state != State::Forgotten && trial.query() == query)
     }
 
     /// How many answers wait to be taken in.
@@ -56,9 +56,8 @@ impl<R: Real> VersionSpace<'_, R> {
             return Ok(None);
         }
         let trials = self.trials.as_slice();
-        let again = trials.iter().position(|own| own.state == State::Again);
-        let known = again.and_then(|place| trials.get(place).copied());
-        let trial = match known {
+        let again = trials.iter().find(|own| own.is_undecided()).copied();
+        let trial = match again {
             Some(known) => known,
             None if !self.has_place() => return Ok(None),
             None => match self.next_query(problem)? {
@@ -66,7 +65,8 @@ impl<R: Real> VersionSpace<'_, R> {
                 None => return Ok(None),
             },
         };
-        match again {
+        // There is never more than one about a sample.
+        match self.place_of_query(trial.query()) {
             Some(place) => self.trials.remove(place),
             None => self.make_place(),
         }
@@ -95,7 +95,7 @@ impl<R: Real> VersionSpace<'_, R> {
 
     fn forgotten(&self) -> Option<usize> {
         let mut trials = self.trials.as_slice().iter();
-        trials.position(|own| own.state == State::Forgotten)
+        trials.position(|own| own.state == State::Forgotten && !own.is_undecided())
     }
 
     /// Takes the answer to a question that is open or forgotten.

@@ -176,7 +176,8 @@ impl<R: Real> VersionSpace<'_, R> {
         })
     }
 
-    fn place_of_query(&self, query: &Query) -> Option<usize> {
+    /// Where the question about a sample stands.
+    pub(super) fn place_of_query(&self, query: &Query) -> Option<usize> {
         let mut trials = self.trials.as_slice().iter();
         trials.position(|own| own.query() == query)
     }
@@ -210,6 +211,7 @@ impl<R: Real> VersionSpace<'_, R> {
                 // Some of the calls that are left may find out what is wrong.
                 let again = f64::from(self.calls_left()) * self.config.tuning.certify_again;
                 (self.certifying, self.certify_from) = (false, again as u32);
+                self.outdate_draws();
                 self.rebuild_region(domain);
             }
             _ if !moved => self.count_support(domain),
