@@ -17,7 +17,7 @@ cd "$scratch"
 unset CRITREG_LIBRARY PYTHONPATH
 export PYTHONDONTWRITEBYTECODE=1
 "$python" -W error -m unittest discover --quiet --start-directory "$here"
-pip install numpy mypy typing_extensions
+pip install numpy mypy
 "$python" -W error -m unittest discover --quiet --start-directory "$here"
 "$python" -m mypy --cache-dir "$scratch/types" --config-file "$here/../pyproject.toml" --package critreg
 
