@@ -56,6 +56,24 @@ class Learning(unittest.TestCase):
         self.assertEqual((len(threads), len(seen)), (3, 100))
         self.assertEqual(learner.report().calls, 100)
 
+    def test_others_may_look_on(self):
+        learner, looks, done = critreg.Learner(DOMAIN, INSTANCES), [], threading.Event()
+
+        def look():
+            while not done.is_set():
+                looks.append((learner.report().calls, learner.is_finished, learner.region()))
+
+        watcher = threading.Thread(target=look)
+        watcher.start()
+        try:
+            learner.learn(try_grasp, workers=2)
+        finally:
+            done.set()
+            watcher.join()
+        calls = [calls for calls, _, _ in looks]
+        self.assertEqual(calls, sorted(calls))
+        self.assertLessEqual(calls[-1], 100)
+
     def test_what_a_simulator_raises_comes_through_and_learning_goes_on(self):
         for workers in (1, 4):
             learner, calls = critreg.Learner(DOMAIN, INSTANCES), []

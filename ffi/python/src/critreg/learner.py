@@ -258,7 +258,8 @@ class Learner:
     @property
     def is_finished(self) -> bool:
         """Whether there is nothing more to ask."""
-        return bool(out(c_int32, library.critreg_is_finished, self._handle))
+        with self._lock:
+            return bool(out(c_int32, library.critreg_is_finished, self._handle))
 
     # Learning with a simulator
 
@@ -370,7 +371,8 @@ class Learner:
     def report(self) -> Report:
         """How learning went so far, in numbers."""
         report = made(Report, library.critreg_report_init)
-        check(library.critreg_learner_report(self._handle, byref(report)))
+        with self._lock:
+            check(library.critreg_learner_report(self._handle, byref(report)))
         return report
 
     # Stopping and going on

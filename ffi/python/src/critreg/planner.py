@@ -252,7 +252,8 @@ class Planner:
         steps = planner.plan([0.0, 0.0], execute, holds, seed=1)
 
     A state is `state_len` numbers of the program's own. Texts that are wrong raise `Error`
-    with line and column. The memory is as large as the texts need.
+    with line and column. The memory is as large as the texts need. A planner belongs to one
+    thread at a time.
     """
 
     def __init__(
