@@ -27,7 +27,7 @@ endif
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)
 ABI := $(shell sed -n 's/^\#define CRITREG_ABI_VERSION //p' include/critreg.h)
-HEADERS := include/critreg.h include/critreg.hpp include/critreg_ompl.hpp
+HEADERS := $(wildcard include/*.h include/*.hpp)
 LICENCES := LICENSE-MIT LICENSE-APACHE ffi/package/THIRD_PARTY
 
 # Where Cargo builds, and where the libraries lie under the names that C knows them by.

@@ -46,7 +46,7 @@ static critreg::Region learn_openings() {
                 static_cast<unsigned long long>(report.calls),
                 static_cast<unsigned long long>(report.feasible),
                 report.certificate_lower_bound);
-    for (const critreg::Constraint &constraint : learner.constraints())
+    for (const critreg::Constraint &constraint : region.constraints())
         std::printf("constraint: %s; feasible from %.5f, infeasible to %.5f, name: %s\n",
                     constraint.text.c_str(), constraint.evidence.feasible,
                     constraint.evidence.infeasible, constraint.name.c_str());
@@ -94,13 +94,13 @@ static critreg::World world(const critreg::Region *region) {
     };
     if (region != nullptr)
         world.sample = [region](const critreg_draw &draw, critreg::Rng &rng,
-                                critreg_drawn &drawn) -> critreg_status {
-            if (draw.parameter_count == 0) return CRITREG_OK;
+                                critreg_drawn &drawn) -> critreg::Status {
+            if (draw.parameter_count == 0) return critreg::Status::ok;
             const auto opening = region->sample({draw.state[0]}, rng);
-            if (!opening) return CRITREG_EMPTY_REGION;
+            if (!opening) return opening.status();
             drawn.parameters[0] = opening->front();
             drawn.informed = 1;
-            return CRITREG_OK;
+            return critreg::Status::ok;
         };
     return world;
 }
@@ -131,7 +131,7 @@ static void plan(const critreg::Region &region) {
     }
     // A peg that is too wide: the region is empty, and says so.
     if (!planner.plan(world(&region), {0.095, 0.0, 0.0}, 1))
-        std::printf("%s; %s failed most\n", planner.why().c_str(), planner.metrics().most_failed);
+        std::printf("%s; %s failed most\n", planner.message().c_str(), planner.metrics().most_failed);
 }
 
 // The same without a callback that draws: skills are learned in tasks, and planned with.
@@ -175,10 +175,10 @@ int main() {
         plan_with_skills();
 
         // Errors tell what is wrong and where.
-        critreg::Region::parse(DOMAIN, "opening >= peg.height");
+        const critreg::Region wrong = critreg::Region::parse(DOMAIN, "opening >= peg.height");
     } catch (const critreg::Error &error) {
-        std::printf("%s: %s\n", critreg_status_name(error.status()), error.what());
-        return error.status() == CRITREG_SYNTAX_ERROR ? 0 : 1;
+        std::printf("%s: %s\n", critreg::name(error.status()), error.what());
+        return error.status() == critreg::Status::syntax_error ? 0 : 1;
     } catch (const std::exception &error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

@@ -3,8 +3,6 @@
 import random
 from typing import NamedTuple
 
-import critreg
-
 INSTANCES = 60
 PARAMETERS = 400  # tried in each instance, uniform over their ranges
 
@@ -34,14 +32,13 @@ class Truth:
             instance = draw(rng)
             thetas = [[rng.uniform(*ends) for ends in ranges] for _ in range(PARAMETERS)]
             works = [bool(scenario.works(instance, theta)) for theta in thetas]
-            flat = [number for theta in thetas for number in theta]
-            self._cases.append((critreg.numbers(instance), critreg.numbers(flat), works))
+            self._cases.append((instance, thetas, works))
 
     def score(self, region, instances=INSTANCES):
         """Compares a region with the truth in the first so many instances."""
         both = claimed = true = 0
         for instance, thetas, works in self._cases[:instances]:
-            inside = region.contains(instance, thetas)
+            inside = region.contains_many(instance, thetas)
             both += sum(a and b for a, b in zip(inside, works))
             claimed += sum(inside)
             true += sum(works)

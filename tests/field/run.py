@@ -14,6 +14,9 @@ import sys
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 
+# The package of the checkout, with the library that was built last.
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "ffi", "python", "src"))
+
 import critreg
 import trial
 from trial import Options
@@ -65,7 +68,7 @@ def refusal(scenario, seed, options):
     try:
         trial.make_learner(scenario, seed, options)
     except critreg.Error as error:
-        return f"{error.status}: {error}"
+        return f"CRITREG_{error.status.name}: {error}"
     return None
 
 

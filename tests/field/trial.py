@@ -44,14 +44,14 @@ def make_learner(scenario, seed, options):
         scenario.text,
         training(scenario, seed),
         seed=seed,
-        iterations=max(1, round(scenario.calls * options.calls_factor)),
-        hypotheses=options.forms,
+        calls=max(1, round(scenario.calls * options.calls_factor)),
+        forms=options.forms,
         steps=scenario.steps,
         noise=scenario.noise,
     )
-    # Arrays of another length would be read beyond their end.
-    if not learner.parameters == len(scenario.lo) == len(scenario.hi):
-        raise ValueError(f"{scenario.name}: the text has {learner.parameters} parameters")
+    parameters = learner.domain.parameters
+    if not len(parameters) == len(scenario.lo) == len(scenario.hi):
+        raise ValueError(f"{scenario.name}: the text has the parameters {parameters}")
     return learner
 
 
@@ -74,7 +74,7 @@ def run(scenario, seed, options):
     try:
         learn_and_judge(scenario, seed, options, trial)
     except critreg.Error as error:
-        trial.error = f"{error.status}: {error}"
+        trial.error = f"CRITREG_{error.status.name}: {error}"
     return trial
 
 
@@ -101,10 +101,10 @@ def learn_and_judge(scenario, seed, options, trial):
     for index, instance in enumerate(instances[: scenario.demonstrations]):
         learner.observe(index, scenario.demonstrate(instance), critreg.FEASIBLE)
     region, text, exact_since = None, None, None
-    while not learner.is_finished():
+    while not learner.is_finished:
         trial.milliseconds.append(ask_and_tell(learner, answer))
         region = learner.region()
-        before, text = text, region and region.text()
+        before, text = text, region and region.text
         if text == before:
             continue
         if region is None or not truth.score(region, INSTANCES_WHILE_LEARNING).is_exact():

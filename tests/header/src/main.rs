@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [\&str; 38] = [
+const SOURCES: [&str; 38] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",

@@ -1,7 +1,9 @@
 //! The C interface keeps its promises when it is used wrongly, exports what the
 //! header declares and nothing else, and can be used from several files.
 
-use crate::support::{BOTH, Language, compile, compiler, library_directory, root, run, scratch};
+use crate::support::{
+    BOTH, Language, compile, compile_with, compiler, library_directory, root, run, scratch,
+};
 use critreg::env::stick_button::StickButton;
 use critreg::plan::{Conclusion, Config, Planner, Unguided};
 use critreg::random::generator;
@@ -48,6 +50,56 @@ fn a_bool_says_what_works() {
         &[source],
         Language::Cpp17,
     )));
+}
+
+/// Warnings that a program may have on, which a header must not trip over.
+const STRICT: [&str; 4] = [
+    "-Wshadow",
+    "-Wconversion",
+    "-Wsign-conversion",
+    "-Wnon-virtual-dtor",
+];
+
+#[test]
+fn the_wrapper_for_cpp_keeps_its_promises() {
+    let source = root().join("tests/c/wrapper.cpp");
+    for standard in ["-std=c++17", "-std=c++20"] {
+        let flags = [&STRICT[..], &[standard]].concat();
+        run(&mut Command::new(compile_with(
+            "wrapper",
+            std::slice::from_ref(&source),
+            Language::Cpp17,
+            &flags,
+        )));
+    }
+}
+
+#[test]
+fn the_wrapper_for_cpp_compiles_without_exceptions() {
+    let source = root().join("tests/c/nothrow.cpp");
+    let flags = [&STRICT[..], &["-fno-exceptions"]].concat();
+    run(&mut Command::new(compile_with(
+        "nothrow",
+        &[source],
+        Language::Cpp17,
+        &flags,
+    )));
+}
+
+/// A function of C is one of C++, too, but for what only those need who lend memory.
+#[test]
+fn the_wrapper_for_cpp_leaves_nothing_out() {
+    let headers = fs::read_dir(root().join("include")).unwrap();
+    let wrappers = headers.map(|file| file.unwrap().path()).filter(|path| {
+        path.extension().is_some_and(|own| own == "hpp") && !path.ends_with("critreg_ompl.hpp")
+    });
+    let text: String = wrappers
+        .map(|path| fs::read_to_string(path).unwrap())
+        .collect();
+    let missing = declared()
+        .into_iter()
+        .filter(|name| !name.ends_with("_align") && !text.contains(&format!("{name}(")));
+    assert_eq!(missing.collect::<Vec<_>>(), Vec::<String>::new());
 }
 
 #[test]

@@ -49,6 +49,16 @@ pub(crate) fn compiler(variable: &str, default: &str) -> String {
 /// Compiles a program from source files with warnings as errors, links it with
 /// the static library and returns its path.
 pub(crate) fn compile(name: &str, sources: &[PathBuf], language: Language) -> PathBuf {
+    compile_with(name, sources, language, &[])
+}
+
+/// The same with more flags of the compiler.
+pub(crate) fn compile_with(
+    name: &str,
+    sources: &[PathBuf],
+    language: Language,
+    flags: &[&str],
+) -> PathBuf {
     let mut command = match language {
         Language::C99 => Command::new(compiler("CC", "cc")),
         Language::Cpp17 => Command::new(compiler("CXX", "c++")),
@@ -61,6 +71,7 @@ pub(crate) fn compile(name: &str, sources: &[PathBuf], language: Language) -> Pa
     let program = scratch().join(format!("{name}_{language:?}"));
     command
         .args(["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-g"])
+        .args(flags)
         .arg("-I")
         .arg(root().join("include"))
         .args(sources)
