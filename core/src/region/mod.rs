@@ -14,6 +14,7 @@ mod ground;
 mod intersection;
 mod interval;
 mod lifted;
+mod margins;
 mod parameters;
 mod sample;
 mod slice;
