@@ -3,6 +3,7 @@
 use core::ffi::{CStr, c_char};
 use core::fmt;
 use critreg_core::Error;
+use critreg_core::text::write_number;
 
 /// What became of a call: CRITREG_OK, one of the codes below, or the status of
 /// the program's own callback.
@@ -71,6 +72,10 @@ pub(crate) enum Failure {
     NoPlan(&'static str),
     /// A number is none of those that are expected; what is expected, and the number.
     Number(&'static str, i32),
+    /// A share of a configuration is out of its range: its name, the share and the range.
+    Share(&'static str, f64, [f64; 2]),
+    /// There are more things than fit: how many, of what, and how many fit.
+    TooMany(usize, &'static str, usize),
     /// The core refused.
     Core(Error),
 }
@@ -98,6 +103,9 @@ impl Failure {
             Failure::NotAHandle => CRITREG_NOT_A_HANDLE,
             Failure::NoPlan(_) => CRITREG_NO_PLAN,
             Failure::Number(..) => CRITREG_INVALID_ARGUMENT,
+            Failure::Share(_, share, _) if !share.is_finite() => CRITREG_NOT_FINITE,
+            Failure::Share(..) => CRITREG_INVALID_ARGUMENT,
+            Failure::TooMany(..) => CRITREG_CAPACITY_EXCEEDED,
             Failure::Core(error) => match error {
                 Error::Syntax(_) => CRITREG_SYNTAX_ERROR,
                 Error::CapacityExceeded(_) => CRITREG_CAPACITY_EXCEEDED,
@@ -124,6 +132,18 @@ impl fmt::Display for Failure {
             Failure::NotAHandle => f.write_str("this is no handle"),
             Failure::NoPlan(how) => write!(f, "no plan: {how}"),
             Failure::Number(expected, number) => write!(f, "{expected}, not {number}"),
+            Failure::Share(name, share, _) if !share.is_finite() => {
+                write!(f, "config.{name} is NaN or infinite")
+            }
+            Failure::Share(name, share, [low, high]) => {
+                write!(f, "config.{name} is from ")?;
+                write_number(f, *low)?;
+                f.write_str(" to ")?;
+                write_number(f, *high)?;
+                f.write_str(", not ")?;
+                write_number(f, *share)
+            }
+            Failure::TooMany(count, what, fit) => write!(f, "{count} {what}, {fit} fit"),
             Failure::Core(error) => error.fmt(f),
         }
     }

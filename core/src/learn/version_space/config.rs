@@ -48,14 +48,21 @@ impl Default for Config {
 }
 
 impl Config {
+    /// Its shares, each with its name and the range that it has to be in.
+    pub fn shares(&self) -> [(&'static str, f64, [f64; 2]); 5] {
+        [
+            ("noise", self.noise, [0.0, 0.2]),
+            ("exploring", self.exploring, [0.0, 1.0]),
+            ("slack", self.slack, [0.0, 0.2]),
+            ("confidence", self.confidence, [0.0, 0.9999]),
+            ("precision_wanted", self.precision_wanted, [0.5, 0.999]),
+        ]
+    }
+
     pub(super) fn check(&self) -> Result<(), Error> {
-        let share = |x: f64, high: f64| (0.0..=high).contains(&x);
-        if share(self.exploring, 1.0)
-            && share(self.noise, 0.2)
-            && share(self.slack, 0.2)
-            && share(self.confidence, 0.9999)
-            && (0.5..=0.999).contains(&self.precision_wanted)
-        {
+        let shares = self.shares();
+        let fits = |(_, share, [low, high]): &(_, f64, [f64; 2])| (*low..=*high).contains(share);
+        if shares.iter().all(fits) {
             Ok(())
         } else {
             Err(Error::InvalidArgument(
