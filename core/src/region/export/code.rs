@@ -103,17 +103,21 @@ impl<'o> Code<'o> {
         write!(self.out, "{array}{place}]").map_err(full)
     }
 
+    /// The next constant of the code.
+    fn fresh(&mut self) -> Result<Operand, Error> {
+        let full = Error::CapacityExceeded("constants of a region's C");
+        let number = self.next;
+        self.next = number.checked_add(1).ok_or(full)?;
+        Ok(Operand::Temp(number))
+    }
+
     /// A constant of the code: pieces of C with operands between them.
     pub(super) fn constant(
         &mut self,
         pieces: &[&str],
         operands: &[Operand],
     ) -> Result<Operand, Error> {
-        let number = self.next;
-        self.next = number
-            .checked_add(1)
-            .ok_or(Error::CapacityExceeded("constants of a region's C"))?;
-        let constant = Operand::Temp(number);
+        let constant = self.fresh()?;
         self.text("    @_LET ")?;
         self.operand(constant)?;
         self.raw(" = ")?;
@@ -136,11 +140,7 @@ impl<'o> Code<'o> {
         if number == 1.0 {
             return Ok(Operand::One);
         }
-        let constant = Operand::Temp(self.next);
-        self.next = self
-            .next
-            .checked_add(1)
-            .ok_or(Error::CapacityExceeded("constants of a region's C"))?;
+        let constant = self.fresh()?;
         self.text("    @_LET ")?;
         self.operand(constant)?;
         self.text(" = (@_real)")?;
@@ -214,8 +214,19 @@ impl<'o> Code<'o> {
         if angle.value == Operand::Zero && !angle.varies() {
             return Ok([Value::ZERO, Value::constant(Operand::One)]);
         }
-        let mut sin = Value::constant(self.constant(&["@_sin(", ")"], &[angle.value])?);
-        let mut cos = Value::constant(self.constant(&["@_cos(", ")"], &[angle.value])?);
+        let (first, second) = (self.fresh()?, self.fresh()?);
+        self.text("    @_real ")?;
+        self.operand(first)?;
+        self.raw(", ")?;
+        self.operand(second)?;
+        self.text(";\n    @_sin_cos(")?;
+        self.operand(angle.value)?;
+        for place in [first, second] {
+            self.raw(", &")?;
+            self.operand(place)?;
+        }
+        self.raw(");\n")?;
+        let (mut sin, mut cos) = (Value::constant(first), Value::constant(second));
         let slopes = sin.slopes.iter_mut().zip(&mut cos.slopes);
         for ((of_sin, of_cos), slope) in slopes.zip(angle.slopes) {
             *of_sin = self.product(cos.value, slope)?;
