@@ -57,8 +57,8 @@ def measure(options):
             if head := re.search(r"<(\w+)>:", part):
                 parts[head[1]] = re.findall(r"^ +[0-9a-f]+:\t(?!\.word)(.*)", part, re.MULTILINE)
         own = parts[name]
-        called = [re.search(r"<(\w+)>", line) for line in own if line.startswith("bl\t")]
-        count = len(own) + sum(len(parts[part[1]]) for part in called if part[1] != name)
+        called = re.findall(r"^bl\t.*<(\w+)>", "\n".join(own), re.MULTILINE)
+        count = len(own) + sum(len(parts.get(part, [])) for part in called if part != name)
         stack = sum(int(line.split("\t")[1])
                     for line in built.with_suffix(".su").read_text().splitlines())
         figures[f"`pick_{name}`: flash, bytes"] = int(size[0])
