@@ -91,9 +91,9 @@ fn check_learner(config: &critreg_config) -> Fallible {
         return Err(out_of_range(what, config.observations));
     }
     if config.learner == CRITREG_VERSION_SPACE {
-        for (name, share, [low, high]) in config.shares().shares() {
+        for (expected, share, [low, high]) in config.shares().shares() {
             if !(low..=high).contains(&share) {
-                return Err(Failure::Share(name, share, [low, high]));
+                return Err(Failure::Share(expected, share.to_ne_bytes()));
             }
         }
     }
@@ -111,12 +111,17 @@ fn out_of_range(expected: &'static str, number: u32) -> Failure {
     Failure::Number(expected, i32::try_from(number).unwrap_or(i32::MAX))
 }
 
+const _: () = assert!(MAX_SAMPLE_POINTS == 6, "an error names it");
+
 /// Whether a learner has room for the points that move with a parameter.
 fn check_points(domain: &Domain<'_>) -> Fallible {
     let moving = domain.points().iter().filter(|point| point.sampled).count();
     if moving > MAX_SAMPLE_POINTS {
-        let what = "points move with a parameter";
-        return Err(Failure::TooMany(moving, what, MAX_SAMPLE_POINTS));
+        let count = u32::try_from(moving).unwrap_or(u32::MAX);
+        return Err(Failure::TooMany(
+            count,
+            "points move with a parameter, 6 fit",
+        ));
     }
     Ok(())
 }

@@ -31,7 +31,7 @@ static void configurations(void)
     config_says(nothing, CRITREG_OK, "");
     EXPECT_TRUE(words[0] == 0);
     config_says(noise, CRITREG_INVALID_ARGUMENT, "config.noise is from 0 to 0.2, not 0.5");
-    config_says(nan_slack, CRITREG_NOT_FINITE, "config.slack is NaN");
+    config_says(nan_slack, CRITREG_NOT_FINITE, "config.slack is from 0 to 0.2, and not NaN");
     config_says(steps, CRITREG_INVALID_ARGUMENT, "config.steps is from 1 to 4, not 7");
     config_says(observations, CRITREG_INVALID_ARGUMENT, "is up to 2048, not 5000");
     config_says(size, CRITREG_INVALID_ARGUMENT, "struct_size");

@@ -72,10 +72,11 @@ pub(crate) enum Failure {
     NoPlan(&'static str),
     /// A number is none of those that are expected; what is expected, and the number.
     Number(&'static str, i32),
-    /// A share of a configuration is out of its range: its name, the share and the range.
-    Share(&'static str, f64, [f64; 2]),
-    /// There are more things than fit: how many, of what, and how many fit.
-    TooMany(usize, &'static str, usize),
+    /// A share of a configuration is out of its range: what is expected, and the share, as
+    /// bytes, because a number of that size would make every failure larger.
+    Share(&'static str, [u8; 8]),
+    /// There are more things than fit: how many, and what.
+    TooMany(u32, &'static str),
     /// The core refused.
     Core(Error),
 }
@@ -103,7 +104,9 @@ impl Failure {
             Failure::NotAHandle => CRITREG_NOT_A_HANDLE,
             Failure::NoPlan(_) => CRITREG_NO_PLAN,
             Failure::Number(..) => CRITREG_INVALID_ARGUMENT,
-            Failure::Share(_, share, _) if !share.is_finite() => CRITREG_NOT_FINITE,
+            Failure::Share(_, share) if !f64::from_ne_bytes(share).is_finite() => {
+                CRITREG_NOT_FINITE
+            }
             Failure::Share(..) => CRITREG_INVALID_ARGUMENT,
             Failure::TooMany(..) => CRITREG_CAPACITY_EXCEEDED,
             Failure::Core(error) => match error {
@@ -132,18 +135,15 @@ impl fmt::Display for Failure {
             Failure::NotAHandle => f.write_str("this is no handle"),
             Failure::NoPlan(how) => write!(f, "no plan: {how}"),
             Failure::Number(expected, number) => write!(f, "{expected}, not {number}"),
-            Failure::Share(name, share, _) if !share.is_finite() => {
-                write!(f, "config.{name} is NaN or infinite")
+            Failure::Share(expected, share) => {
+                let share = f64::from_ne_bytes(*share);
+                if !share.is_finite() {
+                    return write!(f, "{expected}, and not NaN or infinite");
+                }
+                write!(f, "{expected}, not ")?;
+                write_number(f, share)
             }
-            Failure::Share(name, share, [low, high]) => {
-                write!(f, "config.{name} is from ")?;
-                write_number(f, *low)?;
-                f.write_str(" to ")?;
-                write_number(f, *high)?;
-                f.write_str(", not ")?;
-                write_number(f, *share)
-            }
-            Failure::TooMany(count, what, fit) => write!(f, "{count} {what}, {fit} fit"),
+            Failure::TooMany(count, what) => write!(f, "{count} {what}"),
             Failure::Core(error) => error.fmt(f),
         }
     }

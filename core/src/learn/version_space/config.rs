@@ -48,14 +48,26 @@ impl Default for Config {
 }
 
 impl Config {
-    /// Its shares, each with its name and the range that it has to be in.
+    /// Its shares, each with what is expected of it, in words and as a range.
     pub fn shares(&self) -> [(&'static str, f64, [f64; 2]); 5] {
         [
-            ("noise", self.noise, [0.0, 0.2]),
-            ("exploring", self.exploring, [0.0, 1.0]),
-            ("slack", self.slack, [0.0, 0.2]),
-            ("confidence", self.confidence, [0.0, 0.9999]),
-            ("precision_wanted", self.precision_wanted, [0.5, 0.999]),
+            ("config.noise is from 0 to 0.2", self.noise, [0.0, 0.2]),
+            (
+                "config.exploring is from 0 to 1",
+                self.exploring,
+                [0.0, 1.0],
+            ),
+            ("config.slack is from 0 to 0.2", self.slack, [0.0, 0.2]),
+            (
+                "config.confidence is from 0 to 0.9999",
+                self.confidence,
+                [0.0, 0.9999],
+            ),
+            (
+                "config.precision_wanted is from 0.5 to 0.999",
+                self.precision_wanted,
+                [0.5, 0.999],
+            ),
         ]
     }
 
