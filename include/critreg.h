@@ -13,6 +13,8 @@
  *     critreg_region_constraint  what supports each constraint
  *     critreg_sample_region    parameters for the action, in an instance
  *     critreg_sample_regions   the same, good for what comes after it, too
+ *     critreg_region_margins   its constraints as functions, for optimisers
+ *     critreg_region_to_c      the region as C that needs no library
  *     critreg_planner_init     PDDL texts and memory make a planner
  *     critreg_plan             operators and parameters that reach a goal
  *     critreg_skills_learn     what a planner is to know of all controllers, by trying them
@@ -62,8 +64,9 @@
  * A function returns a status and writes its outputs only on success. Exceptions:
  * functions that cannot fail return their answer (critreg_strerror(),
  * critreg_rng_seed(), sizes); needed and count tell how much room is missing;
- * critreg_check_domain(), critreg_check_region() and critreg_check_pddl() write what
- * is wrong; and a generator of random numbers moves on also if nothing was found.
+ * critreg_check_domain(), critreg_check_region(), critreg_check_pddl() and
+ * critreg_check_config() write what is wrong; critreg_sample_region_many() tells how many
+ * it drew; and a generator of random numbers moves on also if nothing was found.
  *
  * Arguments stand in this order: handle, inputs, user_data, outputs.
  *
@@ -3214,6 +3217,127 @@ critreg_status critreg_regions_are_empty(const struct critreg_region *const *reg
                                          int32_t *empty);
 
 /**
+ * Whether an action with each of many parameters is expected to work in an instance: as
+ * critreg_region_contains(), but the instance is looked at once.
+ *
+ * @param region The region.
+ * @param instance The instance: one number per attribute.
+ * @param thetas The parameters of one sample behind those of another; NULL if there are
+ * none.
+ * @param count How many samples there are.
+ * @param inside Receives 1 or 0 for each sample; NULL if count is 0. What it holds is
+ * undefined unless the call succeeds.
+ * @return CRITREG_NOT_FINITE for a number of the instance or of thetas;
+ * CRITREG_INVALID_ARGUMENT for a count that no memory holds; CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_contains_many(const struct critreg_region *region,
+                                            const double *instance,
+                                            const double *thetas,
+                                            size_t count,
+                                            uint8_t *inside);
+
+/**
+ * Draws many parameters from the region in an instance: the same as so many calls of
+ * critreg_sample_region(), but the instance is looked at once.
+ *
+ * @param region The region.
+ * @param instance The instance: one number per attribute.
+ * @param count How many samples are wanted.
+ * @param rng The generator, which moves on, also if no parameters are found.
+ * @param thetas Receives the parameters of one sample behind those of another. NULL if
+ * there are none.
+ * @param drawn Receives how many samples were drawn: count, or fewer if the call fails
+ * with CRITREG_NO_SAMPLE. Those stand in thetas.
+ * @return CRITREG_EMPTY_REGION, CRITREG_NO_SAMPLE as critreg_sample_region();
+ * CRITREG_NOT_FINITE, CRITREG_INVALID_ARGUMENT, CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_sample_region_many(const struct critreg_region *region,
+                                          const double *instance,
+                                          size_t count,
+                                          struct critreg_rng *rng,
+                                          double *thetas,
+                                          size_t *drawn);
+
+/**
+ * How far each constraint of a region is from its bound, with gradients: what an optimiser
+ * calls g(x) <= 0.
+ *
+ * A value is at most 0 where the constraint holds, and below 0 where it says < or >. The
+ * constraints are in the order of the text, critreg_region_constraint_count() of them. Of
+ * a region that joins them by "and" they are all there is to know; of another one they
+ * are its constraints without "or" and "not".
+ *
+ * Parameters may be outside of their ranges in the domain text, which are bounds of the
+ * optimiser's variables. A constraint over no member of a group has
+ * the value minus infinity, one about a body that is absent plus infinity; their gradients
+ * are 0. At a kink, such as that of a distance along an axis where it is 0, the derivative
+ * is the one for a growing parameter.
+ *
+ * ```c
+ * double g[CRITREG_MAX_CONSTRAINTS];
+ * double by_theta[CRITREG_MAX_CONSTRAINTS * CRITREG_MAX_PARAMETERS];
+ * critreg_region_margins(region, instance, theta, g, by_theta);
+ * ```
+ *
+ * @param region The region.
+ * @param instance The instance: one number per attribute.
+ * @param theta The parameters: one number each; NULL if there are none.
+ * @param values Receives one number per constraint; NULL if there are none.
+ * @param gradients NULL, or receives for each constraint its derivative by each parameter:
+ * those of the first constraint, those of the second one, and so on.
+ * @return CRITREG_NOT_FINITE for a number of the instance or of theta;
+ * CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_margins(const struct critreg_region *region,
+                                      const double *instance,
+                                      const double *theta,
+                                      double *values,
+                                      double *gradients);
+
+/**
+ * Writes a region as C99 that needs no library: a header with static inline functions,
+ * for a robot on which there is no room for more.
+ *
+ *     int  pick_contains(instance, theta)    1 if the parameters are inside
+ *     void pick_margins(instance, theta, values, gradients)
+ *                                            as critreg_region_margins()
+ *     int  pick_intervals(instance, ends)    lower and upper ends, up to
+ *                                            2 * pick_MAX_INTERVALS numbers; how many
+ *     int  pick_sample(instance, share, theta)
+ *                                            a draw for a uniform share in [0, 1); 0 if
+ *                                            nothing is inside
+ *
+ * The last two are there for an action with one parameter whose constraints have a closed
+ * form that can be written: those of coordinates and distances, not of angles of what
+ * moves, nor extremes of that; a comment at the head of the text says so. The numbers are
+ * double, or float where pick_FLOAT is defined.
+ *
+ * What is computed is what the library computes, in the same order: with
+ * -ffp-contract=off the answers are equal to the last bit, apart from what sin, cos and
+ * atan2 of the C library round otherwise. Within rounding of the end of an interval,
+ * pick_contains() looks at the constraints and critreg_region_contains() at the interval.
+ * Numbers are not checked: where one is NaN, nothing is inside.
+ *
+ * @param region The region.
+ * @param name What all names begin with, as "pick": up to 64 letters, digits and _.
+ * @param text Receives the C, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the
+ * buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_INVALID_ARGUMENT for
+ * a name that is none in C, and for a region about relations between bodies or angles
+ * with a symmetry, which cannot be written; CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_to_c(const struct critreg_region *region,
+                                   const char *name,
+                                   char *text,
+                                   size_t len,
+                                   size_t *needed);
+
+/**
  * A generator with this seed.
  */
 struct critreg_rng critreg_rng_seed(uint64_t seed);
@@ -3782,6 +3906,28 @@ critreg_status critreg_skills_resume(struct critreg_skills *skills,
  * CRITREG_MISALIGNED.
  */
 critreg_status critreg_check_domain(const char *domain,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
+
+/**
+ * Looks at the configuration of a learner and says what is wrong with it, such as
+ * "config.noise is from 0 to 0.2, not 0.5".
+ *
+ * What depends on the domain text is not looked at: the manual samples of
+ * CRITREG_ALGORITHM1.
+ *
+ * @param config The configuration, from critreg_config_init() and changed since; NULL for
+ * the defaults, with which nothing is wrong.
+ * @param text Receives the words, as for critreg_check_domain().
+ * @param len Length of text in bytes; 0 if the words are not wanted.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_OK if critreg_learner_init() would accept it, given memory enough;
+ * CRITREG_INVALID_ARGUMENT; CRITREG_NOT_FINITE for a share that is NaN or infinite;
+ * CRITREG_TOO_SMALL if no memory can be that large; CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_check_config(const struct critreg_config *config,
                                     char *text,
                                     size_t len,
                                     size_t *needed);

@@ -5,7 +5,10 @@
 //! workstation and on a microcontroller. `num-traits` was not used because Cargo's feature
 //! unification can silently switch it to `std`'s maths.
 
+mod dual;
 mod sine;
+
+pub use dual::Dual;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};

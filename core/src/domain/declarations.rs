@@ -194,9 +194,9 @@ impl Body {
 /// The slots of an object's attributes that place it in the world: `x y z` and
 /// `theta` (or `yaw`), `pitch`, `roll`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct PoseSlots {
-    pub(super) position: [Option<u8>; 3],
-    pub(super) angles: [Option<u8>; 3],
+pub(crate) struct PoseSlots {
+    pub(crate) position: [Option<u8>; 3],
+    pub(crate) angles: [Option<u8>; 3],
 }
 
 impl PoseSlots {

@@ -34,7 +34,7 @@ impl<'t> Domain<'t> {
     }
 
     /// Each member of the group that a quantity is about, with the quantity of that member.
-    pub(super) fn of_members(
+    pub(crate) fn of_members(
         &self,
         quantity: Quantity,
     ) -> impl Iterator<Item = (&Object<'t>, Quantity)> {

@@ -121,7 +121,7 @@ pub enum Quantity {
 
 impl Quantity {
     /// Its place in an instance, if it is an attribute.
-    pub(super) fn slot(self) -> Option<u8> {
+    pub(crate) fn slot(self) -> Option<u8> {
         match self {
             Quantity::Attribute(slot) => Some(slot),
             Quantity::Coordinate(..)

@@ -262,7 +262,7 @@ impl<'t> Domain<'t> {
     }
 
     /// Which attributes of an object place it.
-    pub(super) fn pose_slots(&self, object: u8) -> &PoseSlots {
+    pub(crate) fn pose_slots(&self, object: u8) -> &PoseSlots {
         const NONE: PoseSlots = PoseSlots {
             position: [None; 3],
             angles: [None; 3],

@@ -1,6 +1,6 @@
 //! A region in one problem instance.
 
-use super::interval::IntervalSet;
+use super::interval::{Interval, IntervalSet};
 use super::lifted::Region;
 use super::parameters::{ParameterSet, Vector};
 use super::slice::slice;
@@ -130,6 +130,14 @@ impl<'a, R: Real> Grounded<'a, R> {
                 "intervals exist for an action with one parameter",
             )),
         }
+    }
+}
+
+impl<R: Real> Grounded<'_, R> {
+    /// The intervals of the only parameter, if membership in them is all there is to know.
+    pub(super) fn exact_set(&self) -> Option<&[Interval<R>]> {
+        let decides = self.parameters().len() == 1 && self.set.is_exact();
+        decides.then(|| self.set.intervals())
     }
 }
 

@@ -10,10 +10,13 @@
 mod boxes;
 mod bytes;
 mod choices;
+mod export;
 mod ground;
 mod intersection;
 mod interval;
 mod lifted;
+mod many;
+mod margins;
 mod parameters;
 mod sample;
 mod slice;

@@ -176,7 +176,11 @@ impl<'t> Lexer<'t> {
     /// Keeps a syntax error at an earlier token.
     #[inline(never)]
     pub(crate) fn fail_at(&mut self, place: Place, what: &'static str) -> Failed {
-        self.note(self.error_at(place, what))
+        let hint = match self.language {
+            Language::Own => self.text.get(place.0..).and_then(hint),
+            Language::Pddl => None,
+        };
+        self.note(self.error_at(place, hint.unwrap_or(what)))
     }
 
     /// Keeps the error that a table is full.
@@ -198,6 +202,30 @@ impl<'t> Lexer<'t> {
     pub(crate) fn outcome<T>(&self, result: Result<T, Failed>) -> Result<T, Error> {
         result.map_err(|Failed| self.failure.unwrap_or(self.error("")))
     }
+}
+
+/// What is said in place of an error where a text goes on as other languages do.
+fn hint(rest: &str) -> Option<&'static str> {
+    const HINTS: [(&str, &str); 10] = [
+        ("//", "a comment begins with #"),
+        ("/*", "a comment begins with # and ends with the line"),
+        (
+            "/",
+            "there is no division: multiply by a constant, as in 0.5*width",
+        ),
+        (";", "statements end without `;`"),
+        ("^", "there are no powers: write x*x"),
+        (
+            "==",
+            "there is no equality: bound it from both sides, with <= and >=",
+        ),
+        ("!=", "there is no inequality of this kind: write < or >"),
+        ("&&", "write `and`"),
+        ("||", "write `or`"),
+        ("centered", "the word is `centred`"),
+    ];
+    let found = HINTS.iter().find(|(sign, _)| rest.starts_with(sign));
+    found.map(|(_, hint)| *hint)
 }
 
 impl Language {

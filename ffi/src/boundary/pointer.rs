@@ -37,6 +37,31 @@ pub(crate) unsafe fn slice<'a, T>(
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
 }
 
+/// The `count` bytes at a pointer, which may be NULL if there are none, set to zero.
+///
+/// # Safety
+/// If it is not NULL, `count` bytes can be written there for `'a`, and nothing else refers
+/// to them.
+pub(crate) unsafe fn bytes<'a>(
+    pointer: *mut u8,
+    count: usize,
+    name: &'static str,
+) -> Fallible<&'a mut [u8]> {
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    check(pointer, name)?;
+    if count > isize::MAX as usize {
+        return Err(Failure::invalid("an array is longer than memory can be"));
+    }
+    // SAFETY: checked; writable by this function's contract, and initialised before a
+    // reference to them is made.
+    unsafe {
+        core::ptr::write_bytes(pointer, 0, count);
+        Ok(core::slice::from_raw_parts_mut(pointer, count))
+    }
+}
+
 /// A pointer to these numbers for a callback; to some number if there are none, because
 /// an empty slice lies nowhere.
 pub(crate) fn to_numbers(numbers: &[f64]) -> *const f64 {

@@ -3,6 +3,7 @@
 use core::ffi::{CStr, c_char};
 use core::fmt;
 use critreg_core::Error;
+use critreg_core::text::write_number;
 
 /// What became of a call: CRITREG_OK, one of the codes below, or the status of
 /// the program's own callback.
@@ -73,6 +74,11 @@ pub(crate) enum Failure {
     NoPlan(&'static str),
     /// A number is none of those that are expected; what is expected, and the number.
     Number(&'static str, i32),
+    /// A share of a configuration is out of its range: what is expected, and the share, as
+    /// bytes, because a number of that size would make every failure larger.
+    Share(&'static str, [u8; 8]),
+    /// There are more things than fit: how many, and what.
+    TooMany(u32, &'static str),
     /// The core refused.
     Core(Error),
 }
@@ -101,6 +107,11 @@ impl Failure {
             Failure::Busy(_) => CRITREG_BUSY,
             Failure::NoPlan(_) => CRITREG_NO_PLAN,
             Failure::Number(..) => CRITREG_INVALID_ARGUMENT,
+            Failure::Share(_, share) if !f64::from_ne_bytes(share).is_finite() => {
+                CRITREG_NOT_FINITE
+            }
+            Failure::Share(..) => CRITREG_INVALID_ARGUMENT,
+            Failure::TooMany(..) => CRITREG_CAPACITY_EXCEEDED,
             Failure::Core(error) => match error {
                 Error::Syntax(_) => CRITREG_SYNTAX_ERROR,
                 Error::CapacityExceeded(_) => CRITREG_CAPACITY_EXCEEDED,
@@ -128,6 +139,15 @@ impl fmt::Display for Failure {
             Failure::Busy(name) => write!(f, "{name} are in use"),
             Failure::NoPlan(how) => write!(f, "no plan: {how}"),
             Failure::Number(expected, number) => write!(f, "{expected}, not {number}"),
+            Failure::Share(expected, share) => {
+                let share = f64::from_ne_bytes(*share);
+                if !share.is_finite() {
+                    return write!(f, "{expected}, and not NaN or infinite");
+                }
+                write!(f, "{expected}, not ")?;
+                write_number(f, share)
+            }
+            Failure::TooMany(count, what) => write!(f, "{count} {what}"),
             Failure::Core(error) => error.fmt(f),
         }
     }

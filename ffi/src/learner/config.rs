@@ -293,7 +293,12 @@ impl critreg_config {
         if !shares.iter().all(|share| share.is_finite()) {
             return Err(Error::NotFinite("a share of the configuration").into());
         }
-        Ok(version_space::Config {
+        Ok(self.shares())
+    }
+
+    /// The same, whatever its shares are.
+    pub(crate) fn shares(&self) -> version_space::Config {
+        version_space::Config {
             seed: self.seed,
             calls: self.calls,
             certifying: self.certifying,
@@ -303,7 +308,7 @@ impl critreg_config {
             precision_wanted: self.precision_wanted,
             confidence: self.confidence,
             ..version_space::Config::default()
-        })
+        }
     }
 }
 

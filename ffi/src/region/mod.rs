@@ -8,10 +8,16 @@
 //! | [`writing`] | writing one as text or bytes |
 //! | [`constraint`] | its constraints, one by one |
 //! | [`sampling`] | what it says about an instance: membership, intervals, samples |
+//! | [`many`] | membership of many samples, and many draws |
+//! | [`margins`] | its constraints as functions with gradients |
+//! | [`export`] | the region as C that needs no library |
 
 pub mod constraint;
+pub mod export;
 pub mod handle;
 pub(crate) mod layout;
 pub mod making;
+pub mod many;
+pub mod margins;
 pub mod sampling;
 pub mod writing;

@@ -72,6 +72,11 @@ fn sampling(c: &mut Criterion) {
     c.bench_function("one sample of a grounded region", |b| {
         b.iter(|| grounded.sample(&mut rng));
     });
+    let thetas: Vec<_> = (0..4096).map(|i| f64::from(i) / 4096.0).collect();
+    let mut inside = vec![0; thetas.len()];
+    c.bench_function("4096 memberships in a grounded region", |b| {
+        b.iter(|| grounded.contains_many(black_box(&thetas), &mut inside));
+    });
 }
 
 fn learning(c: &mut Criterion) {

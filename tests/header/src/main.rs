@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 38] = [
+const SOURCES: [&str; 41] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",
@@ -25,6 +25,9 @@ const SOURCES: [&str; 38] = [
     "region/writing.rs",
     "region/constraint.rs",
     "region/sampling.rs",
+    "region/many.rs",
+    "region/margins.rs",
+    "region/export.rs",
     "boundary/rng.rs",
     "planner/config.rs",
     "planner/handle.rs",

@@ -138,6 +138,16 @@ fn groups_of_any_number() {
 }
 
 #[test]
+fn regions_without_the_library_and_many_samples() {
+    passes("export", &["export.c"]);
+}
+
+#[test]
+fn words_about_configurations_and_texts() {
+    passes("words", &["words.c"]);
+}
+
+#[test]
 fn chains_noise_and_certificates() {
     passes("learning", &["learning.c"]);
 }

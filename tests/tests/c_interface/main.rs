@@ -2,6 +2,7 @@
 
 mod abi;
 mod examples;
+mod export;
 mod field;
 mod pictures;
 mod readme;

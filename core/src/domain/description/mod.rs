@@ -138,6 +138,30 @@ mod tests {
     }
 
     #[test]
+    fn habits_of_other_languages_get_a_hint() {
+        let with = |line: &str| std::format!("object a {{ x: length, y: length }}\n{line}");
+        let cases = [
+            ("constant c = 1 / 2: none", "there is no division"),
+            ("constant c = 2 ^ 2: none", "there are no powers"),
+            ("// a comment", "a comment begins with #"),
+            ("parameter x in [0, 1];", "end without `;`"),
+            ("shape a = box(1, 2, 3) centered", "the word is `centred`"),
+            ("point p = a turned 2*pi", "turned (2*a)"),
+        ];
+        for (line, hint) in cases {
+            let Err(Error::Syntax(at)) = Domain::parse(&with(line)) else {
+                panic!("accepted: {line}")
+            };
+            assert!(
+                at.what.contains(hint) && at.line == 2,
+                "{line}: {}",
+                at.what
+            );
+        }
+        assert!(Domain::parse(&with("point p = a turned (2*pi)")).is_ok());
+    }
+
+    #[test]
     fn shapes_add_key_points() {
         let domain = Domain::parse(
             "object a { x: length, y: length } shape a = rectangle(2, 1)

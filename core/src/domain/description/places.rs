@@ -2,7 +2,7 @@
 
 use super::parser::DomainParser;
 use crate::domain::{Base, Dependence, Dimension, Member, Node, NodeId, Point};
-use crate::text::{Failed, Place, split_at_dot};
+use crate::text::{Failed, Place, Token, split_at_dot};
 
 impl<'t> DomainParser<'_, 't> {
     #[inline(never)]
@@ -19,6 +19,11 @@ impl<'t> DomainParser<'_, 't> {
         } else {
             [None; 3]
         };
+        if turn != [None; 3] && self.lexer.token() == Token::Symbol("*") {
+            return Err(self
+                .lexer
+                .fail("a product behind `turned` stands in brackets: turned (2*a)"));
+        }
         let offset = if self.lexer.accept("+") {
             self.offset()?
         } else {

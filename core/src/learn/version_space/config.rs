@@ -48,14 +48,33 @@ impl Default for Config {
 }
 
 impl Config {
+    /// Its shares, each with what is expected of it, in words and as a range.
+    pub fn shares(&self) -> [(&'static str, f64, [f64; 2]); 5] {
+        [
+            ("config.noise is from 0 to 0.2", self.noise, [0.0, 0.2]),
+            (
+                "config.exploring is from 0 to 1",
+                self.exploring,
+                [0.0, 1.0],
+            ),
+            ("config.slack is from 0 to 0.2", self.slack, [0.0, 0.2]),
+            (
+                "config.confidence is from 0 to 0.9999",
+                self.confidence,
+                [0.0, 0.9999],
+            ),
+            (
+                "config.precision_wanted is from 0.5 to 0.999",
+                self.precision_wanted,
+                [0.5, 0.999],
+            ),
+        ]
+    }
+
     pub(super) fn check(&self) -> Result<(), Error> {
-        let share = |x: f64, high: f64| (0.0..=high).contains(&x);
-        if share(self.exploring, 1.0)
-            && share(self.noise, 0.2)
-            && share(self.slack, 0.2)
-            && share(self.confidence, 0.9999)
-            && (0.5..=0.999).contains(&self.precision_wanted)
-        {
+        let shares = self.shares();
+        let fits = |(_, share, [low, high]): &(_, f64, [f64; 2])| (*low..=*high).contains(share);
+        if shares.iter().all(fits) {
             Ok(())
         } else {
             Err(Error::InvalidArgument(

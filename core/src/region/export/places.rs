@@ -1,0 +1,302 @@
+//! Where points are, as C: in the order of operations of a scene and its samples.
+
+use super::code::{Code, Operand, Value};
+use crate::domain::{Base, Domain, MAX_PARAMETERS, Node, NodeId, Point, Shape};
+use crate::error::Error;
+use heapless::Vec;
+
+/// How many points are computed once; further ones are where they are used.
+const KEPT: usize = 16;
+
+/// How a point is turned.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Turn {
+    None,
+    /// About the z axis: the cosine and the sine.
+    Planar([Value; 2]),
+    /// The matrix, by rows.
+    Tilted([[Value; 3]; 3]),
+}
+
+const ONE: Value = Value::constant(Operand::One);
+
+impl Turn {
+    fn rows(&self, code: &mut Code<'_>) -> Result<[[Value; 3]; 3], Error> {
+        let o = Value::ZERO;
+        Ok(match *self {
+            Turn::None => [[ONE, o, o], [o, ONE, o], [o, o, ONE]],
+            Turn::Planar([cos, sin]) => [[cos, code.negated(sin)?, o], [sin, cos, o], [o, o, ONE]],
+            Turn::Tilted(rows) => rows,
+        })
+    }
+
+    /// Where it turns the x axis to.
+    pub(super) fn heading(&self) -> [Value; 3] {
+        match *self {
+            Turn::None => [ONE, Value::ZERO, Value::ZERO],
+            Turn::Planar([cos, sin]) => [cos, sin, Value::ZERO],
+            Turn::Tilted(rows) => rows.map(|[x, ..]| x),
+        }
+    }
+
+    fn varies(&self) -> bool {
+        match self {
+            Turn::None => false,
+            Turn::Planar(direction) => direction.iter().any(Value::varies),
+            Turn::Tilted(rows) => rows.iter().flatten().any(Value::varies),
+        }
+    }
+}
+
+/// Where a point is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed {
+    pub(super) origin: [Value; 3],
+    pub(super) turn: Turn,
+}
+
+/// Writes what points and given terms are.
+pub(super) struct Places<'d, 'o> {
+    pub(super) domain: &'d Domain<'d>,
+    pub(super) code: Code<'o>,
+    pub(super) theta: [Value; MAX_PARAMETERS],
+    /// Whether parameters move along a line, where only straight things have a closed form.
+    pub(super) is_line: bool,
+    kept: Vec<(u8, Placed), KEPT>,
+}
+
+/// The error of what has no closed form along a line of parameters.
+pub(super) const NOT_STRAIGHT: Error =
+    Error::InvalidArgument("a constraint has no closed form that is written as C");
+
+impl<'d, 'o> Places<'d, 'o> {
+    pub(super) fn new(
+        domain: &'d Domain<'d>,
+        code: Code<'o>,
+        theta: [Value; MAX_PARAMETERS],
+        is_line: bool,
+    ) -> Self {
+        Places {
+            domain,
+            code,
+            theta,
+            is_line,
+            kept: Vec::new(),
+        }
+    }
+
+    /// A product; along a line, one of the two has to be fixed.
+    pub(super) fn times(&mut self, a: Value, b: Value) -> Result<Value, Error> {
+        if self.is_line && a.varies() && b.varies() {
+            return Err(NOT_STRAIGHT);
+        }
+        self.code.times(a, b)
+    }
+
+    /// Where a point is.
+    pub(super) fn placed(&mut self, index: u8) -> Result<Placed, Error> {
+        if let Some((_, placed)) = self.kept.iter().find(|(own, _)| *own == index) {
+            return Ok(*placed);
+        }
+        let missing = Error::InvalidArgument("a region speaks of a point that is not there");
+        let domain = self.domain;
+        let point = domain.points().get(usize::from(index)).ok_or(missing)?;
+        let placed = self.place(point)?;
+        // A point that is not kept is computed again.
+        let _ = self.kept.push((index, placed));
+        Ok(placed)
+    }
+
+    fn place(&mut self, point: &Point<'_>) -> Result<Placed, Error> {
+        let mut placed = match point.base {
+            Base::World => Placed {
+                origin: [Value::ZERO; 3],
+                turn: Turn::None,
+            },
+            Base::Object(object) => self.object(object)?,
+            Base::Point(earlier) => self.placed(earlier)?,
+        };
+        if point.turn != [None; 3] {
+            let [yaw, pitch, roll] = point.turn;
+            let angles = [self.given(yaw)?, self.given(pitch)?, self.given(roll)?];
+            let inner = self.rotation(angles)?;
+            placed.turn = self.compose(&placed.turn, &inner)?;
+        }
+        if self.is_line && placed.turn.varies() {
+            return Err(NOT_STRAIGHT);
+        }
+        if point.offset == [None; 3] {
+            return Ok(placed);
+        }
+        if point.sampled {
+            self.advance(&mut placed.origin, &placed.turn, point)?;
+        } else {
+            // What does not move is summed up before it is added.
+            let mut step = [Value::ZERO; 3];
+            self.advance(&mut step, &placed.turn, point)?;
+            for (own, step) in placed.origin.iter_mut().zip(step) {
+                *own = self.code.plus(*own, step)?;
+            }
+        }
+        Ok(placed)
+    }
+
+    fn object(&mut self, object: u8) -> Result<Placed, Error> {
+        let pose = self.domain.pose_slots(object);
+        let of_slot = |slot: Option<u8>| {
+            slot.map_or(Value::ZERO, |slot| Value::constant(Operand::Slot(slot)))
+        };
+        let turn = match pose.angles {
+            [None, None, None] => Turn::None,
+            angles => self.rotation(angles.map(of_slot))?,
+        };
+        Ok(Placed {
+            origin: pose.position.map(of_slot),
+            turn,
+        })
+    }
+
+    fn rotation(&mut self, [yaw, pitch, roll]: [Value; 3]) -> Result<Turn, Error> {
+        let is_zero = |angle: &Value| angle.value == Operand::Zero && !angle.varies();
+        let code = &mut self.code;
+        let [sa, ca] = code.sin_cos(yaw)?;
+        if is_zero(&pitch) && is_zero(&roll) {
+            return Ok(Turn::Planar([ca, sa]));
+        }
+        let [sb, cb] = code.sin_cos(pitch)?;
+        let [sc, cc] = code.sin_cos(roll)?;
+        let mut product = |a, b| code.times(a, b);
+        let (ca_sb, sa_sb) = (product(ca, sb)?, product(sa, sb)?);
+        let parts = [
+            [product(ca_sb, sc)?, product(sa, cc)?],
+            [product(ca_sb, cc)?, product(sa, sc)?],
+            [product(sa_sb, sc)?, product(ca, cc)?],
+            [product(sa_sb, cc)?, product(ca, sc)?],
+        ];
+        let (xx, yx) = (product(ca, cb)?, product(sa, cb)?);
+        let (zy, zz) = (product(cb, sc)?, product(cb, cc)?);
+        let [[a, b], [c, d], [e, f], [g, h]] = parts;
+        Ok(Turn::Tilted([
+            [xx, code.minus(a, b)?, code.plus(c, d)?],
+            [yx, code.plus(e, f)?, code.minus(g, h)?],
+            [code.negated(sb)?, zy, zz],
+        ]))
+    }
+
+    /// The product of two rotations: `inner` is turned first.
+    fn compose(&mut self, outer: &Turn, inner: &Turn) -> Result<Turn, Error> {
+        let code = &mut self.code;
+        let [ca, sa, cb, sb] = match (outer, inner) {
+            (outer, Turn::None) => return Ok(*outer),
+            (Turn::None, inner) => return Ok(*inner),
+            (Turn::Planar([ca, sa]), Turn::Planar([cb, sb])) => [*ca, *sa, *cb, *sb],
+            _ => {
+                let (outer, inner) = (outer.rows(code)?, inner.rows(code)?);
+                let [[a, b, c], [d, e, f], [g, h, i]] = inner;
+                let columns = [[a, d, g], [b, e, h], [c, f, i]];
+                let mut product = [[Value::ZERO; 3]; 3];
+                for (row, outer) in product.iter_mut().zip(outer) {
+                    for (entry, column) in row.iter_mut().zip(columns) {
+                        *entry = dot(code, outer, column)?;
+                    }
+                }
+                return Ok(Turn::Tilted(product));
+            }
+        };
+        let (a, b) = (code.times(ca, cb)?, code.times(sa, sb)?);
+        let (c, d) = (code.times(sa, cb)?, code.times(ca, sb)?);
+        Ok(Turn::Planar([code.minus(a, b)?, code.plus(c, d)?]))
+    }
+
+    /// Moves a point along the axes of a rotation.
+    fn advance(
+        &mut self,
+        origin: &mut [Value; 3],
+        turn: &Turn,
+        point: &Point<'_>,
+    ) -> Result<(), Error> {
+        let rows = turn.rows(&mut self.code)?;
+        for (step, axis) in point.offset.iter().zip(0..) {
+            if step.is_none() {
+                continue;
+            }
+            let step = self.given(*step)?;
+            for (own, row) in origin.iter_mut().zip(rows) {
+                let entry = row.into_iter().nth(axis).unwrap_or(Value::ZERO);
+                let moved = self.times(step, entry)?;
+                *own = self.code.plus(*own, moved)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A term of the domain: an offset, a turn, a size.
+    fn given(&mut self, id: Option<NodeId>) -> Result<Value, Error> {
+        let Some(id) = id else {
+            return Ok(Value::ZERO);
+        };
+        let missing = Error::InvalidArgument("a term of the domain is not there");
+        let node = self.domain.nodes().get(usize::from(id.0)).ok_or(missing)?;
+        match *node {
+            Node::Sum(a, b) => {
+                let (a, b) = (self.given(Some(a))?, self.given(Some(b))?);
+                self.code.plus(a, b)
+            }
+            Node::Difference(a, b) => {
+                let (a, b) = (self.given(Some(a))?, self.given(Some(b))?);
+                self.code.minus(a, b)
+            }
+            Node::Product(a, b) => {
+                let (a, b) = (self.given(Some(a))?, self.given(Some(b))?);
+                self.times(a, b)
+            }
+            leaf => self.leaf(leaf)?.ok_or(missing),
+        }
+    }
+
+    /// The value of a parameter or of a term whose value is given; none of another one.
+    pub(super) fn leaf(&mut self, leaf: Node) -> Result<Option<Value>, Error> {
+        Ok(Some(match leaf {
+            Node::Number(number) => Value::constant(self.code.number(number)?),
+            Node::Constant(index) => {
+                let constant = self.domain.constants().get(usize::from(index));
+                let number = constant.map_or(0.0, |constant| constant.value);
+                Value::constant(self.code.number(number)?)
+            }
+            Node::Parameter(index) => {
+                let known = self.theta.get(usize::from(index));
+                known.copied().unwrap_or(Value::ZERO)
+            }
+            Node::Area(shape) => self.area(shape)?,
+            Node::Quantity(quantity) => match quantity.slot() {
+                Some(slot) => Value::constant(Operand::Slot(slot)),
+                None => return Ok(None),
+            },
+            Node::Extreme(..) | Node::Sum(..) | Node::Difference(..) | Node::Product(..) => {
+                return Ok(None);
+            }
+        }))
+    }
+
+    fn area(&mut self, shape: u8) -> Result<Value, Error> {
+        let (a, b, factor) = match self.domain.shapes().get(usize::from(shape)) {
+            Some((_, Shape::Circle { radius })) => (*radius, *radius, core::f64::consts::PI),
+            Some((_, Shape::Rectangle { width, height })) => (*width, *height, 1.0),
+            None => return Err(Error::InvalidArgument("a shape is not there")),
+        };
+        let factor = Value::constant(self.code.number(factor)?);
+        let (a, b) = (self.given(Some(a))?, self.given(Some(b))?);
+        let area = self.times(factor, a)?;
+        self.times(area, b)
+    }
+}
+
+/// The scalar product of two vectors.
+pub(super) fn dot(code: &mut Code<'_>, a: [Value; 3], b: [Value; 3]) -> Result<Value, Error> {
+    let mut sum = Value::ZERO;
+    for (a, b) in a.into_iter().zip(b) {
+        let product = code.times(a, b)?;
+        sum = code.plus(sum, product)?;
+    }
+    Ok(sum)
+}
