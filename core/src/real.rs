@@ -49,6 +49,8 @@ pub trait Real:
     const EPSILON: Self;
     /// The square root of that: half of the digits.
     const SQRT_EPSILON: Self;
+    /// Numbers up to here have squares and products of which a few can be added.
+    const LARGE: Self;
 
     /// The nearest value of this type.
     fn from_f64(value: f64) -> Self;
@@ -81,6 +83,15 @@ pub trait Real:
     fn clamp(self, low: Self, high: Self) -> Self {
         self.max(low).min(high)
     }
+    /// The number at a share of the way from this one to another, also where they are farther
+    /// apart than any number is large.
+    fn towards(self, other: Self, share: Self) -> Self {
+        let way = other - self;
+        match way.is_finite() {
+            true => self + way * share,
+            false => self * (Self::ONE - share) + other * share,
+        }
+    }
     /// An angle moved by whole turns into `[-pi, pi]`.
     fn wrap_angle(self) -> Self {
         let turn = Self::from_f64(core::f64::consts::TAU);
@@ -98,6 +109,7 @@ impl Real for f64 {
     const NAN: f64 = f64::NAN;
     const EPSILON: f64 = f64::EPSILON;
     const SQRT_EPSILON: f64 = 1.0 / 67_108_864.0;
+    const LARGE: f64 = 1e150;
 
     fn from_f64(value: f64) -> f64 {
         value
@@ -137,6 +149,7 @@ impl Real for f32 {
     const NAN: f32 = f32::NAN;
     const EPSILON: f32 = f32::EPSILON;
     const SQRT_EPSILON: f32 = 3.452_669_8e-4;
+    const LARGE: f32 = 1e18;
 
     fn from_f64(value: f64) -> f32 {
         value as f32
@@ -221,6 +234,7 @@ mod fast {
         const NAN: Fast32 = Fast32(f32::NAN);
         const EPSILON: Fast32 = Fast32(f32::EPSILON);
         const SQRT_EPSILON: Fast32 = Fast32(<f32 as Real>::SQRT_EPSILON);
+        const LARGE: Fast32 = Fast32(<f32 as Real>::LARGE);
 
         fn from_f64(value: f64) -> Fast32 {
             Fast32(value as f32)

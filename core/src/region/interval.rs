@@ -126,18 +126,27 @@ impl<R: Real> IntervalSet<R> {
     /// As [`IntervalSet::quantile`], with the share `margin` of every interval left
     /// out at both of its ends.
     pub fn quantile_inside(&self, share: R, margin: R) -> Option<R> {
-        let mut left = share * self.length();
+        // A set may be longer than any number is large; an eighth of it is not.
+        let scale = match self.length().is_finite() {
+            true => R::ONE,
+            false => R::from_f64(0.125),
+        };
+        let scaled = |interval: &Interval<R>| (interval.high * scale) - (interval.low * scale);
+        let lengths = self.intervals.iter().map(scaled);
+        let length = lengths.fold(R::ZERO, |sum, length| sum + length);
+        let mut left = share * length;
         let last = self.intervals.last()?;
         for interval in &self.intervals {
-            if left < interval.length() {
+            let own = scaled(interval);
+            if left < own {
                 let inner = R::ONE - margin - margin;
-                return Some(interval.low + margin * interval.length() + inner * left);
+                return Some((interval.low * scale + margin * own + inner * left) / scale);
             }
-            left -= interval.length();
+            left -= own;
         }
         // Rounding may leave a rest; a set of points has no length at all.
         let first = self.intervals.first()?;
-        Some(if self.length() > R::ZERO {
+        Some(if length > R::ZERO {
             last.high
         } else {
             first.low

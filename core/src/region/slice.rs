@@ -272,5 +272,5 @@ impl<R: Real> Cut<R> {
 }
 
 fn middle<R: Real>(a: R, b: R) -> R {
-    a + (b - a) * R::from_f64(0.5)
+    a.towards(b, R::from_f64(0.5))
 }

@@ -6,5 +6,6 @@ mod bodies_compound;
 mod bodies_sight;
 mod groups;
 mod intersection;
+mod large_numbers;
 mod region;
 mod vertex_angle;
