@@ -18,6 +18,8 @@ use critreg_core::region::Region;
 
 /// Most atoms of `:init` that a check has room for.
 const MAX_FACTS: usize = 2048;
+/// Most ground operators of a planner, which numbers them so.
+const MAX_OPERATORS: usize = u16::MAX as usize;
 
 /// Reads a domain text and says what is wrong with it, such as
 /// "line 3, column 7: unknown object".
@@ -129,6 +131,11 @@ fn measure_problem(problem: &pddl::Problem<'_>) -> Result<Measured, Error> {
     let mut grounding = pddl::Grounding::<16>::new(problem)?;
     let (mut operators, mut links) = (0, 0);
     grounding.operators(&mut |operator| {
+        if operators == MAX_OPERATORS {
+            return Err(Error::CapacityExceeded(
+                "ground operators: more than a planner has places for",
+            ));
+        }
         operators += 1;
         links += plan::links(core::slice::from_ref(&operator));
         Ok(())
