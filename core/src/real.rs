@@ -71,6 +71,11 @@ pub trait Real:
     /// Neither NaN nor infinite.
     fn is_finite(self) -> bool;
 
+    /// Whether this type has a number near a value, or the value is none.
+    fn holds(value: f64) -> bool {
+        !value.is_finite() || Self::from_f64(value).is_finite()
+    }
+
     /// The smaller of two numbers; `self` if they cannot be ordered.
     fn min(self, other: Self) -> Self {
         if other < self { other } else { self }

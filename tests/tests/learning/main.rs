@@ -3,6 +3,7 @@
 mod actions;
 mod bodies;
 mod growing;
+mod large_numbers;
 mod learners;
 mod membership;
 mod observing;

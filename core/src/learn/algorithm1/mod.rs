@@ -138,6 +138,7 @@ impl<'m, R: Real> Algorithm1<'m, R> {
                 "Algorithm 1 learns about parameters, and the domain declares none",
             ));
         }
+        domain.check_precision::<R>()?;
         let memory = memory.cut(capacity)?;
         let features = Features::enumerate(domain, memory.features, memory.values)?;
         let hypotheses = Hypotheses::enumerate(&features, memory.pairs);
@@ -289,6 +290,9 @@ impl<'m, R: Real> Algorithm1<'m, R> {
 
 impl<R: Real> Learner for Algorithm1<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
+        if self.problem.is_none() {
+            problem.check_precision::<R>()?;
+        }
         self.problem.get_or_insert(problem.begun());
         problem.check_begun(self.problem)?;
         if let Some(pending) = self.pending {

@@ -26,7 +26,11 @@ impl<R: Real> VersionSpace<'_, R> {
         match self.problem {
             Some(known) if known == begun => return Ok(()),
             Some(known) if !problem.continues(known) => return Err(CHANGED),
-            _ => self.forms.check_room(problem)?,
+            known => {
+                let known = known.map_or(0, |known| known.count as usize);
+                // Nothing fails behind this, so that a call that fails changes nothing.
+                self.forms.check(problem, known)?;
+            }
         }
         let (open, notes, told) = (self.pending, self.since.notes(), self.observations.len());
         self.forget(problem.domain());
