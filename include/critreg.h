@@ -2412,7 +2412,9 @@ critreg_status critreg_region_parse(void *memory,
  * @param len How many there are.
  * @param region Receives the handle, which lies at the start of the memory.
  * @return CRITREG_CORRUPT if the bytes are damaged, incomplete or of an unknown
- * version; and as critreg_region_parse().
+ * version; CRITREG_INVALID_ARGUMENT if the region computes with a precision that the
+ * library was built without, CRITREG_NOT_FINITE if that cannot hold its numbers; and as
+ * critreg_region_parse().
  */
 critreg_status critreg_region_load(void *memory,
                                    size_t memory_len,
@@ -2421,8 +2423,8 @@ critreg_status critreg_region_load(void *memory,
                                    struct critreg_region **region);
 
 /**
- * Writes a region with its domain as bytes: versioned, checksummed, the same on
- * every machine.
+ * Writes a region with its domain and precision as bytes: versioned, checksummed, the same
+ * on every machine.
  *
  * @param region The region.
  * @param bytes Receives the bytes.

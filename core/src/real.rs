@@ -35,6 +35,8 @@ pub trait Real:
 {
     /// Its name, to tell apart what was saved.
     const NAME: &'static str;
+    /// How many bits it takes: in saved bytes, what is computed with.
+    const BITS: u16;
     /// The additive identity.
     const ZERO: Self;
     /// The multiplicative identity.
@@ -107,6 +109,7 @@ pub trait Real:
 
 impl Real for f64 {
     const NAME: &'static str = "f64";
+    const BITS: u16 = 64;
     const ZERO: f64 = 0.0;
     const ONE: f64 = 1.0;
     const INFINITY: f64 = f64::INFINITY;
@@ -147,6 +150,7 @@ impl Real for f64 {
 
 impl Real for f32 {
     const NAME: &'static str = "f32";
+    const BITS: u16 = 32;
     const ZERO: f32 = 0.0;
     const ONE: f32 = 1.0;
     const INFINITY: f32 = f32::INFINITY;
@@ -232,6 +236,7 @@ mod fast {
 
     impl Real for Fast32 {
         const NAME: &'static str = "fast32";
+        const BITS: u16 = 32;
         const ZERO: Fast32 = Fast32(0.0);
         const ONE: Fast32 = Fast32(1.0);
         const INFINITY: Fast32 = Fast32(f32::INFINITY);

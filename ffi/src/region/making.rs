@@ -4,7 +4,7 @@ use crate::boundary::handle;
 use crate::boundary::limits::CRITREG_DOMAIN_TEXT_MAX;
 use crate::boundary::memory::ALIGNMENT;
 use crate::boundary::pointer::{self, Output};
-use crate::boundary::precision::Precision;
+use crate::boundary::precision::{Precision, in_precision};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::learner::quality::CRITREG_NO_QUALITY;
 use crate::region::handle::critreg_region;
@@ -65,7 +65,14 @@ pub unsafe extern "C" fn critreg_region_parse(
         })
     };
     // SAFETY: as above.
-    status_of(texts.and_then(|(d, t)| unsafe { make(memory.cast(), memory_len, d, t, region) }))
+    status_of(texts.and_then(|(domain, text)| unsafe {
+        let written = Written {
+            domain,
+            text,
+            precision: Precision::DEFAULT,
+        };
+        make(memory.cast(), memory_len, &written, region)
+    }))
 }
 
 /// Makes a region from bytes that critreg_region_save() wrote, in memory of the
@@ -77,7 +84,9 @@ pub unsafe extern "C" fn critreg_region_parse(
 /// @param len How many there are.
 /// @param region Receives the handle, which lies at the start of the memory.
 /// @return CRITREG_CORRUPT if the bytes are damaged, incomplete or of an unknown
-/// version; and as critreg_region_parse().
+/// version; CRITREG_INVALID_ARGUMENT if the region computes with a precision that the
+/// library was built without, CRITREG_NOT_FINITE if that cannot hold its numbers; and as
+/// critreg_region_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_region_load(
     memory: *mut c_void,
@@ -93,11 +102,22 @@ pub unsafe extern "C" fn critreg_region_load(
         if saved.domain_text.len() >= CRITREG_DOMAIN_TEXT_MAX {
             return Err(Error::CapacityExceeded("the domain text is too long").into());
         }
-        let (domain, text) = (saved.domain_text, saved.region_text);
+        let written = Written {
+            domain: saved.domain_text,
+            text: saved.region_text,
+            precision: Precision::new(saved.bits.into())?,
+        };
         // SAFETY: as above.
-        unsafe { make(memory.cast(), memory_len, domain, text, region) }
+        unsafe { make(memory.cast(), memory_len, &written, region) }
     });
     status_of(loaded)
+}
+
+/// What a region is made from.
+struct Written<'t> {
+    domain: &'t str,
+    text: &'t str,
+    precision: Precision,
 }
 
 /// # Safety
@@ -106,8 +126,7 @@ pub unsafe extern "C" fn critreg_region_load(
 unsafe fn make(
     memory: *mut u8,
     memory_len: usize,
-    domain_text: &str,
-    text: &str,
+    written: &Written<'_>,
     output: *mut *mut critreg_region,
 ) -> Fallible {
     pointer::check(memory.cast::<u64>(), "memory")?;
@@ -121,16 +140,11 @@ unsafe fn make(
         let place = layout.handle.place(memory);
         // If this fails, a region that was here before is one no more.
         handle::retire(place);
-        let domain = layout.domain.put(memory, domain_text)?;
-        let region = Region::parse(domain, text)?;
-        critreg_region::put(
-            place,
-            domain,
-            &region,
-            Precision::DEFAULT,
-            &[],
-            CRITREG_NO_QUALITY,
-        );
+        let domain = layout.domain.put(memory, written.domain)?;
+        let region = Region::parse(domain, written.text)?;
+        let precision = written.precision;
+        in_precision!(precision, R => region.check_precision::<R>(domain)?);
+        critreg_region::put(place, domain, &region, precision, &[], CRITREG_NO_QUALITY);
         output.write(place);
     }
     Ok(())

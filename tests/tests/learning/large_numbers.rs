@@ -62,7 +62,7 @@ fn learn<R: Real>(seed: u64, scale: f64, crates: [bool; 2]) -> Result<Option<Str
         return Ok(None);
     };
     let mut bytes = vec![0; region.saved_len(&domain)];
-    region.save(&domain, &mut bytes).unwrap();
+    region.save::<R>(&domain, &mut bytes).unwrap();
     let saved = SavedRegion::read(&bytes).unwrap();
     let again = Region::parse(&domain, saved.region_text).expect(saved.region_text);
     assert_eq!(&again, region);

@@ -165,7 +165,7 @@ proptest! {
         let written = text::of_region(&domain, &region);
         prop_assert_eq!(&Region::parse(&domain, &written).expect(&written), &region);
         let mut bytes = vec![0; region.saved_len(&domain)];
-        region.save(&domain, &mut bytes).unwrap();
+        region.save::<f64>(&domain, &mut bytes).unwrap();
         let saved = SavedRegion::read(&bytes).unwrap();
         let again = Domain::parse(saved.domain_text).unwrap();
         prop_assert_eq!(&Region::parse(&again, saved.region_text).unwrap(), &region);
