@@ -93,9 +93,6 @@ impl<'m> Hypotheses<'m> {
     /// four hypotheses, until it is full.
     pub fn enumerate<R: Real>(features: &Features<'_, R>, pairs: &'m mut [u8]) -> Self {
         let used = runs(features, pairs.len()).map(|run| run.rhs.len()).sum();
-        for pair in pairs.iter_mut().take(used) {
-            *pair = ALL_FOUR;
-        }
         let enumerated = 4 * enumerated_pairs(features);
         let kept = 4 * used as u64;
         Hypotheses {
@@ -112,6 +109,13 @@ impl<'m> Hypotheses<'m> {
     /// How many hypotheses the grammar has and the table holds.
     pub fn enumeration(&self) -> Enumeration {
         self.enumeration
+    }
+
+    /// Puts all hypotheses into the set again.
+    pub(crate) fn restore(&mut self) {
+        for pair in self.pairs.iter_mut().take(self.used) {
+            *pair = ALL_FOUR;
+        }
     }
 
     /// How many hypotheses are still in the set.

@@ -15,7 +15,7 @@
 //! that was torn when the machine stopped is noticed and left out.
 
 use super::Learner;
-use super::log::{Observation, check_fresh};
+use super::log::{Observation, check_fresh, or_restart};
 use super::problem::{Begun, Problem};
 use crate::error::Error;
 use crate::wire::{FRAME, Reader, Writer};
@@ -72,29 +72,31 @@ pub fn journal(
 /// # Errors
 /// [`Error::Mismatch`] for a record of another problem or configuration,
 /// [`Error::Corrupt`] if one is missing before it, [`Error::CapacityExceeded`] if there is no
-/// room for its observation: then those before were told.
-/// [`Error::OutOfSequence`] if the learner is not fresh: then nothing was.
+/// room for its observation, [`Error::OutOfSequence`] if the learner is not fresh: then
+/// nothing was told.
 pub fn resume_journal<L: Learner + ?Sized>(
     learner: &mut L,
     problem: &Problem<'_>,
     bytes: &[u8],
 ) -> Result<usize, Error> {
     check_fresh(learner)?;
-    let mut stands = 0;
-    for record in bytes.chunks_exact(record_len(problem)) {
-        let Ok(mut reader) = Reader::new(record, MAGIC, VERSION) else {
-            break;
-        };
-        Begun::check(&mut reader, problem)?;
-        if reader.u32()? != learner.fingerprint() {
-            return Err(Error::Mismatch("saved with another configuration"));
+    or_restart(learner, problem, |learner| {
+        let mut stands = 0;
+        for record in bytes.chunks_exact(record_len(problem)) {
+            let Ok(mut reader) = Reader::new(record, MAGIC, VERSION) else {
+                break;
+            };
+            Begun::check(&mut reader, problem)?;
+            if reader.u32()? != learner.fingerprint() {
+                return Err(Error::Mismatch("saved with another configuration"));
+            }
+            if reader.u32()? as usize != learner.observations().len() {
+                return Err(Error::Corrupt("a record of the journal is missing"));
+            }
+            let saved = Observation::read(&mut reader, problem)?;
+            learner.replay(problem, &saved)?;
+            stands += record.len();
         }
-        if reader.u32()? as usize != learner.observations().len() {
-            return Err(Error::Corrupt("a record of the journal is missing"));
-        }
-        let saved = Observation::read(&mut reader, problem)?;
-        learner.replay(problem, &saved)?;
-        stands += record.len();
-    }
-    Ok(stands)
+        Ok(stands)
+    })
 }

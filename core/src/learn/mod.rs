@@ -74,6 +74,7 @@ pub use outcome::Outcome;
 pub use problem::Problem;
 pub use version_space::{Capacity, Certificate, Config, Evidence, Memory, Report, VersionSpace};
 
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::region::{Region, Theta};
 
@@ -154,6 +155,10 @@ pub trait Learner {
         notes: u8,
         open: Option<&Observation>,
     ) -> Result<(), Error>;
+
+    /// Makes it as it was before anything was asked or told.
+    #[doc(hidden)]
+    fn restart(&mut self, domain: &Domain<'_>);
 
     /// Whether there is nothing more to ask.
     fn is_finished(&self) -> bool;

@@ -2,6 +2,7 @@
 
 mod actions;
 mod bodies;
+mod damage;
 mod growing;
 mod large_numbers;
 mod learners;

@@ -59,8 +59,12 @@ pub(super) struct BoundTable<'m, R> {
 impl<'m, R: Real> BoundTable<'m, R> {
     /// An empty table in borrowed memory.
     pub(super) fn new(lhs: &'m mut [Bounds<R>]) -> Self {
-        lhs.fill(Bounds::BLANK);
         BoundTable { lhs }
+    }
+
+    /// Forgets all bounds.
+    pub(super) fn clear(&mut self) {
+        self.lhs.fill(Bounds::BLANK);
     }
 
     /// The bounds, simple left sides first; but for those that a value made which was too

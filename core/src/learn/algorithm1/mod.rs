@@ -147,13 +147,8 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         for sample in [config.negative, config.positive].iter().flatten() {
             check_sample(domain, sample)?;
         }
-        let remaining = hypotheses.remaining();
         let mut learner = Algorithm1 {
-            report: Report {
-                enumeration: hypotheses.enumeration(),
-                remaining,
-                ..Report::default()
-            },
+            report: Report::default(),
             config,
             features,
             hypotheses,
@@ -166,7 +161,7 @@ impl<'m, R: Real> Algorithm1<'m, R> {
             points: PointSet::all(domain),
             region: Region::new(domain, Formula::everything()),
         };
-        learner.skip_absent();
+        learner.restart(domain);
         Ok(learner)
     }
 
@@ -355,6 +350,22 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
     fn reopen(&mut self, _: &Problem<'_>, _: u8, _: Option<&Observation>) -> Result<(), Error> {
         // The question is the next one.
         Ok(())
+    }
+
+    fn restart(&mut self, domain: &Domain<'_>) {
+        self.hypotheses.restore();
+        self.bounds.clear();
+        self.observations.clear();
+        self.rng = generator(self.config.seed);
+        self.phase = Phase::Negative;
+        (self.pending, self.problem) = (None, None);
+        self.region.clear(domain);
+        self.report = Report {
+            enumeration: self.hypotheses.enumeration(),
+            remaining: self.hypotheses.remaining(),
+            ..Report::default()
+        };
+        self.skip_absent();
     }
 
     fn is_finished(&self) -> bool {

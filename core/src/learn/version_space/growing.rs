@@ -54,7 +54,7 @@ impl<R: Real> VersionSpace<'_, R> {
     }
 
     /// Makes everything as it was before anything was told.
-    fn forget(&mut self, domain: &Domain<'_>) {
+    pub(super) fn forget(&mut self, domain: &Domain<'_>) {
         self.forms.forget();
         self.committee.clear();
         self.approximations.iter_mut().for_each(|own| own.clear());

@@ -376,6 +376,11 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         Ok(())
     }
 
+    fn restart(&mut self, domain: &Domain<'_>) {
+        self.forget(domain);
+        (self.problem, self.unasked) = (None, None);
+    }
+
     fn is_finished(&self) -> bool {
         self.is_out_of_calls()
     }
