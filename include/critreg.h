@@ -2351,8 +2351,8 @@ critreg_status critreg_learner_journal(struct critreg_learner *learner,
  * damaged and left out; cut it off before anything is appended.
  * @return CRITREG_MISMATCH for a record of another domain, instances, configuration or
  * number of forms, CRITREG_CORRUPT if one is missing before it,
- * CRITREG_CAPACITY_EXCEEDED if there is no room for it: those before were told then;
- * CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_INVALID_ARGUMENT,
+ * CRITREG_CAPACITY_EXCEEDED if there is no room for it, CRITREG_OUT_OF_SEQUENCE if the
+ * learner is not fresh: in all these cases nothing is told; CRITREG_INVALID_ARGUMENT,
  * CRITREG_NOT_FINITE, CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
  * CRITREG_NOT_A_HANDLE.
  */
@@ -2586,8 +2586,9 @@ critreg_status critreg_region_contains(const struct critreg_region *region,
  *
  * Whether the ends belong to the set, which depends on < and <= in the
  * constraints, is not told: no sampler can notice. Where a constraint has no
- * closed form (a turn by the parameter, a sum of two distances) the set is too
- * large rather than too small; critreg_sample_region() is right all the same.
+ * closed form (a turn by the parameter, a sum of two distances), or there are more
+ * than CRITREG_MAX_INTERVALS of them, the set is too large rather than too small;
+ * critreg_sample_region() is right all the same.
  *
  * @param region The region of an action with one parameter.
  * @param instance The instance: one number per attribute.

@@ -1,13 +1,13 @@
 //! Exact sets of numbers: sorted, disjoint intervals.
 
-use crate::error::Error;
 use crate::grammar::MAX_CONSTRAINTS;
 use crate::real::Real;
 use heapless::Vec;
 
 /// Most intervals of a set. Intervals end at roots and at the ends of the line, and a
 /// constraint has two roots on average. A constraint about a group can have more, and an
-/// interval may begin where another one ends; then the room may not suffice.
+/// interval may begin where another one ends; where the room does not suffice, the last
+/// intervals are made one, and the set is too large.
 pub const MAX_INTERVALS: usize = MAX_CONSTRAINTS + 1;
 
 /// All numbers between two ends.
@@ -154,10 +154,7 @@ impl<R: Real> IntervalSet<R> {
     }
 
     /// The numbers that belong to both sets.
-    ///
-    /// # Errors
-    /// [`Error::CapacityExceeded`] if it has more intervals than there is room for.
-    pub fn intersection(&self, other: &IntervalSet<R>) -> Result<IntervalSet<R>, Error> {
+    pub fn intersection(&self, other: &IntervalSet<R>) -> IntervalSet<R> {
         let mut both = IntervalSet {
             intervals: Vec::new(),
             exact: self.exact && other.exact,
@@ -166,7 +163,7 @@ impl<R: Real> IntervalSet<R> {
         let (mut a, mut b) = (own.next(), others.next());
         while let (Some(first), Some(second)) = (a, b) {
             if let Some(shared) = first.intersection(second) {
-                both.push(shared)?;
+                both.push(shared);
             }
             // The interval that ends first meets no later one of the other set.
             if first.ends_before(second) {
@@ -175,7 +172,7 @@ impl<R: Real> IntervalSet<R> {
                 b = others.next();
             }
         }
-        Ok(both)
+        both
     }
 
     /// Removes all intervals.
@@ -184,10 +181,14 @@ impl<R: Real> IntervalSet<R> {
         self.exact = exact;
     }
 
-    fn push(&mut self, interval: Interval<R>) -> Result<(), Error> {
-        self.intervals
-            .push(interval)
-            .map_err(|_| Error::CapacityExceeded("intervals of a region"))
+    /// Appends an interval, or makes the last one reach to its end.
+    fn push(&mut self, interval: Interval<R>) {
+        if let Err(interval) = self.intervals.push(interval) {
+            self.exact = false;
+            if let Some(last) = self.intervals.last_mut() {
+                (last.high, last.high_closed) = (interval.high, interval.high_closed);
+            }
+        }
     }
 }
 
@@ -206,26 +207,25 @@ impl<'s, R: Real> Builder<'s, R> {
     }
 
     /// The next break: whether it belongs to the set, and what follows it.
-    pub(super) fn step(&mut self, at: R, here: bool, after: bool) -> Result<(), Error> {
+    pub(super) fn step(&mut self, at: R, here: bool, after: bool) {
         match (self.open, here, after) {
             (None, _, true) => self.open = Some((at, here)),
-            (None, true, false) => self.close((at, true), (at, true))?,
+            (None, true, false) => self.close((at, true), (at, true)),
             (None, false, false) | (Some(_), true, true) => {}
             (Some(low), _, _) => {
-                self.close(low, (at, here))?;
+                self.close(low, (at, here));
                 self.open = after.then_some((at, here));
             }
         }
-        Ok(())
     }
 
     /// Finishes an interval with these ends; each with whether it belongs to it.
-    fn close(&mut self, low: (R, bool), high: (R, bool)) -> Result<(), Error> {
+    fn close(&mut self, low: (R, bool), high: (R, bool)) {
         self.set.push(Interval {
             low: low.0,
             high: high.0,
             low_closed: low.1,
             high_closed: high.1,
-        })
+        });
     }
 }

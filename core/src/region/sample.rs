@@ -73,7 +73,7 @@ impl<R: Real> Grounded<'_, R> {
     /// that the proof was not found.
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`].
+    /// Those of [`Region::ground`].
     pub fn is_proven_empty(&self) -> Result<bool, Error> {
         is_proven_empty(self)
     }
