@@ -140,7 +140,14 @@
  * samples for each constraint.
  *
  * The last queries (critreg_config.certifying) are draws from the region. What
- * they prove about it is in the report: the certificate.
+ * they prove about it is in the report: the certificate. It says that at least a share of
+ * the region works, and would be wrong about that in one of twenty runs at most (with a
+ * confidence of 0.95): ten draws of ten prove 0.74, 60 of 60 prove 0.95, 300 of 300 0.99. All
+ * draws count that were decided while the region was as it is now; one that fails changes
+ * it, and counting begins anew. It speaks of the training instances, each as often as
+ * the others, and of uniform draws: instances of another kind, and parameters that a planner
+ * chooses at the edge of the region, are not what was drawn. That nothing is missing in the
+ * region is another matter: recall_low and recall_high.
  *
  * Sequences of actions: if the action is a chain, say in critreg_config.steps how
  * many steps it has, and answer with CRITREG_FAILED_STEP(k) if step k failed. Each step
@@ -1173,8 +1180,9 @@ typedef struct critreg_config {
      */
     uint32_t calls;
     /**
-     * CRITREG_VERSION_SPACE: how many of these calls, the last ones, are about
-     * draws from the region, to certify it. Default 10.
+     * CRITREG_VERSION_SPACE: how many draws from the region certify it, with the last
+     * calls. With noise a draw takes several calls, of which they get a quarter of all at
+     * most. Default 10.
      */
     uint32_t certifying;
     /**

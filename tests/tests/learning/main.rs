@@ -7,6 +7,7 @@ mod growing;
 mod large_numbers;
 mod learners;
 mod membership;
+mod noise;
 mod observing;
 mod proposals;
 mod version_space;

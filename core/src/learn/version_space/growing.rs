@@ -7,7 +7,7 @@
 
 use super::selection::Selection;
 use super::telling::Since;
-use super::{Report, VersionSpace, wanted};
+use super::{Report, VersionSpace, certifying_calls, wanted};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::Problem;
@@ -64,7 +64,7 @@ impl<R: Real> VersionSpace<'_, R> {
         self.observations.clear();
         (self.pending, self.since) = (None, Since::default());
         self.influence = false;
-        (self.certifying, self.certify_from) = (false, self.config.certifying);
+        (self.certifying, self.certify_from) = (false, certifying_calls(&self.config));
         self.region.clear(domain);
         self.evidence.clear();
         self.report = Report::default();
