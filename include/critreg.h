@@ -1277,7 +1277,9 @@ typedef int32_t critreg_outcome;
  * Whatever can tell whether an action works: a simulator, a motion planner, a
  * robot.
  *
- * It must return: no longjmp(), no C++ exception may leave it. It may not touch
+ * It must return: no longjmp(), no C++ exception may leave it. A handle that was left by a
+ * longjmp() all the same answers CRITREG_BUSY until critreg_learner_recover(); a C++
+ * exception ends the program, or does worse. It may not touch
  * the memory of the learner, nor call functions on it other than those that take
  * it as const; the others return CRITREG_BUSY.
  *
@@ -1476,7 +1478,7 @@ typedef struct critreg_ground {
  * Runs the controller of an operator in the program's simulator.
  *
  * This and the other callbacks of a planner must return: no longjmp(), no C++
- * exception may leave them. They may not touch the memory of the planner, nor call
+ * exception may leave them; see critreg_planner_recover(). They may not touch the memory of the planner, nor call
  * functions on it other than those that take it as const; the others return
  * CRITREG_BUSY. If one returns anything but CRITREG_OK, planning stops and
  * critreg_plan() returns that.
@@ -2086,6 +2088,16 @@ critreg_status critreg_learn_region(struct critreg_learner *learner,
                                     critreg_simulate simulate,
                                     void *user_data,
                                     const struct critreg_region **region);
+
+/**
+ * Makes a learner usable again that answers CRITREG_BUSY because a callback was left by
+ * longjmp(), which it must not be. The sample that was being tried stays to be tried; all
+ * that was told before is kept. A learner that is not busy stays as it is.
+ *
+ * @param learner The learner. No call on it may be running, so this is not for callbacks.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_recover(struct critreg_learner *learner);
 
 /**
  * Tells which sample to try next. Asking again before telling gives the same one.
@@ -2880,6 +2892,16 @@ critreg_status critreg_plan(struct critreg_planner *planner,
                             uint64_t seed,
                             void *user_data,
                             size_t *length);
+
+/**
+ * Makes a planner usable again that answers CRITREG_BUSY because a callback was left by
+ * longjmp(), which it must not be. It has no plan then; plan again. A planner that is not
+ * busy stays as it is.
+ *
+ * @param planner The planner. No call on it may be running, so this is not for callbacks.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_recover(struct critreg_planner *planner);
 
 /**
  * Fills a step, so that critreg_planner_step() knows its size.

@@ -21,7 +21,7 @@ pub struct critreg_planner {
     /// The atom that the last failure is about, if it is one.
     pub(crate) culprit: Cell<Option<GroundAtom>>,
     problem: &'static Problem<'static>,
-    inner: Exclusive<Inner>,
+    pub(crate) inner: Exclusive<Inner>,
 }
 
 /// What a call on a planner borrows.

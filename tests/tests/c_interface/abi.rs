@@ -56,6 +56,11 @@ fn wrong_callbacks() {
 }
 
 #[test]
+fn callbacks_that_are_left() {
+    passes("left_callbacks", &["left_callbacks.c"]);
+}
+
+#[test]
 fn wrong_regions() {
     passes("misuse_region", &["misuse_region.c"]);
 }
