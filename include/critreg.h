@@ -55,6 +55,28 @@
  * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
  *
  *
+ * STACK
+ *
+ * Each function takes less than this, with the default features, on a machine with
+ * pointers of 64 bits (a program of the tests measures it); callbacks of the program come on
+ * top. On a Cortex-M4 with CRITREG_F32, learning and drawing take a little over 4 KiB.
+ *
+ *     critreg_learner_init(), critreg_learner_resume(), critreg_ask(), critreg_tell()    24 KiB
+ *     critreg_learn_region()                                                             16 KiB
+ *     critreg_region_parse()                                                             12 KiB
+ *     critreg_region_load()                                                               8 KiB
+ *     writing and saving regions and learners                                             4 KiB
+ *     critreg_sample_region()                                                            12 KiB
+ *     critreg_sample_regions(), critreg_region_contains(), critreg_region_intervals()    28 KiB
+ *     critreg_check_domain()                                                             24 KiB
+ *     critreg_check_region()                                                             32 KiB
+ *     critreg_plan()                                                                     56 KiB
+ *     critreg_planner_init()                                                            192 KiB
+ *     critreg_check_pddl(), critreg_planner_measure()                                   320 KiB
+ *
+ * Threads of small stacks make planners elsewhere, then.
+ *
+ *
  * CALLS
  *
  * A function returns a status and writes its outputs only on success. Exceptions:
@@ -3062,7 +3084,7 @@ critreg_status critreg_check_pddl(const char *domain,
  * a problem of it need; the rest stays. Ask critreg_planner_size() then how much memory
  * that is.
  *
- * It takes about 150 kilobytes of stack.
+ * It takes much stack, see above.
  *
  * @param domain The PDDL domain, ended by NUL.
  * @param problem A PDDL problem of that domain, ended by NUL.

@@ -43,7 +43,7 @@ pub unsafe extern "C" fn critreg_check_domain(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let checked = parse_domain(domain).map(|_| ());
+        let checked = check_domain(domain);
         explain(checked, text, len, needed)
     }
 }
@@ -151,7 +151,7 @@ fn measure_problem(problem: &pddl::Problem<'_>) -> Result<Measured, Error> {
 /// a problem of it need; the rest stays. Ask critreg_planner_size() then how much memory
 /// that is.
 ///
-/// It takes about 150 kilobytes of stack.
+/// It takes much stack, see above.
 ///
 /// @param domain The PDDL domain, ended by NUL.
 /// @param problem A PDDL problem of that domain, ended by NUL.
@@ -180,26 +180,29 @@ pub unsafe extern "C" fn critreg_planner_measure(
     status_of(measured())
 }
 
+/// What is large is on the stack while this runs, and no more when words are written.
+///
 /// # Safety
 /// If not NULL, the text can be read up to its NUL.
-unsafe fn parse_domain<'a>(domain: *const c_char) -> Fallible<Domain<'a>> {
+#[inline(never)]
+unsafe fn check_domain(domain: *const c_char) -> Fallible {
     // SAFETY: by this function's contract.
     let text = unsafe { pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain")? };
-    Ok(Domain::parse(text)?)
+    Ok(Domain::empty().read(text)?)
 }
 
 /// # Safety
 /// If not NULL, the texts can be read up to their NUL.
+#[inline(never)]
 unsafe fn check_region(domain: *const c_char, region_text: *const c_char) -> Fallible {
     // SAFETY: by this function's contract.
-    let (domain, text) = unsafe {
-        (
-            parse_domain(domain)?,
-            pointer::text(region_text, REGION_TEXT_MAX, "region_text")?,
-        )
-    };
-    Region::parse(&domain, text)?;
-    Ok(())
+    let domain_text = unsafe { pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain")? };
+    let mut domain = Domain::empty();
+    domain.read(domain_text)?;
+    // SAFETY: as above.
+    let text = unsafe { pointer::text(region_text, REGION_TEXT_MAX, "region_text")? };
+    let mut region = Region::default();
+    Ok(region.read(&domain, text)?)
 }
 
 /// What is wrong, and with what.

@@ -108,7 +108,19 @@ impl Region {
     /// # Errors
     /// [`Error::Syntax`], [`Error::CapacityExceeded`].
     pub fn parse(domain: &Domain<'_>, text: &str) -> Result<Region, Error> {
-        Ok(Region::new(domain, Formula::parse(domain, text)?))
+        let mut region = Region::default();
+        region.read(domain, text)?;
+        Ok(region)
+    }
+
+    /// As [`Region::parse`], in place: regions are large.
+    ///
+    /// # Errors
+    /// Those of [`Region::parse`]. After one it is no region of any use.
+    pub fn read(&mut self, domain: &Domain<'_>, text: &str) -> Result<(), Error> {
+        self.formula.read(domain, text)?;
+        self.note_dependence(domain);
+        Ok(())
     }
 
     /// Writes its text; reading that gives the same region.

@@ -11,7 +11,7 @@ use crate::region::handle::critreg_region;
 use crate::region::layout::RegionLayout;
 use core::ffi::{c_char, c_void};
 use critreg_core::Error;
-use critreg_core::region::{Region, SavedRegion};
+use critreg_core::region::SavedRegion;
 
 /// Longest region text in bytes, with its NUL: what saved bytes can hold.
 pub(crate) const REGION_TEXT_MAX: usize = 1 << 16;
@@ -141,10 +141,12 @@ unsafe fn make(
         // If this fails, a region that was here before is one no more.
         handle::retire(place);
         let domain = layout.domain.put(memory, written.domain)?;
-        let region = Region::parse(domain, written.text)?;
         let precision = written.precision;
-        in_precision!(precision, R => region.check_precision::<R>(domain)?);
-        critreg_region::put(place, domain, &region, precision, &[], CRITREG_NO_QUALITY);
+        critreg_region::put(place, domain, precision, (&[], CRITREG_NO_QUALITY), |own| {
+            own.read(domain, written.text)?;
+            in_precision!(precision, R => own.check_precision::<R>(domain)?);
+            Ok(())
+        })?;
         output.write(place);
     }
     Ok(())

@@ -96,6 +96,17 @@ fn learning_with_float() {
 }
 
 #[test]
+fn the_stack_that_functions_take() {
+    let sources = [root().join("tests/c/stack.c")];
+    run(&mut Command::new(compile("stack", &sources, Language::C99)));
+}
+
+#[test]
+fn two_threads_read_the_same_handles() {
+    passes("threads", &["threads.c"]);
+}
+
+#[test]
 fn two_translation_units_include_the_header() {
     passes("two_units", &["two_units_main.c", "two_units_other.c"]);
 }

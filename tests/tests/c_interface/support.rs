@@ -68,7 +68,7 @@ pub(crate) fn compile(name: &str, sources: &[PathBuf], language: Language) -> Pa
         // What follows is no source file.
         .args(["-x", "none"])
         .arg(library)
-        .args(["-lm", "-o"])
+        .args(["-lm", "-lpthread", "-o"])
         .arg(&program);
     run(&mut command);
     program

@@ -11,29 +11,41 @@ impl Formula {
     /// # Errors
     /// [`Error::Syntax`] with line and column; [`Error::CapacityExceeded`].
     pub fn parse(domain: &Domain<'_>, text: &str) -> Result<Formula, Error> {
+        let mut formula = Formula::everything();
+        formula.read(domain, text)?;
+        Ok(formula)
+    }
+
+    /// As [`Formula::parse`], in place: formulas are large.
+    ///
+    /// # Errors
+    /// Those of [`Formula::parse`]. After one it is no formula of any use.
+    #[inline(never)]
+    pub(crate) fn read(&mut self, domain: &Domain<'_>, text: &str) -> Result<(), Error> {
+        self.clear();
         let mut parser = FormulaParser {
             domain,
             lexer: Lexer::new(text),
-            formula: Formula::everything(),
+            formula: self,
             depth: 0,
         };
         let read = parser.whole();
         parser.lexer.outcome(read)?;
-        if parser.formula.steps.as_slice() == [Step::True] {
-            return Ok(Formula::everything());
+        if self.steps.as_slice() == [Step::True] {
+            self.clear();
         }
-        Ok(parser.formula)
+        Ok(())
     }
 }
 
-struct FormulaParser<'d, 't, 's> {
+struct FormulaParser<'f, 'd, 't, 's> {
     domain: &'d Domain<'t>,
     lexer: Lexer<'s>,
-    formula: Formula,
+    formula: &'f mut Formula,
     depth: u8,
 }
 
-impl FormulaParser<'_, '_, '_> {
+impl FormulaParser<'_, '_, '_, '_> {
     fn whole(&mut self) -> Result<(), Failed> {
         self.disjunction()?;
         match self.lexer.token() {
