@@ -229,6 +229,14 @@ mod tests {
             let deeper = read(&nested(last + 1)).unwrap_err();
             assert!(deeper.ends_with(&format!(": {error}")), "{deeper}");
         }
+        // What is written without brackets is counted as it is written.
+        let left = |n: usize| format!("(a{}){} < 1", " + b".repeat(n), " - b".repeat(n));
+        assert_eq!(
+            read(&left(6)),
+            Ok(format!("a{}{} < 1", " + b".repeat(6), " - b".repeat(6)))
+        );
+        let deeper = read(&left(7)).unwrap_err();
+        assert!(deeper.ends_with(&format!(": {EXPRESSION}")), "{deeper}");
         // Formulas and expressions are counted apart, and another error is not hidden.
         let both = brackets(last, &format!("{} < 1", brackets(last, "a")));
         assert!(read(&both).is_ok());

@@ -1,8 +1,7 @@
 //! Bytes of regions and learners, damaged but for their checksum.
 
 use super::hash;
-use super::texts::{regions as texts, said};
-use crate::targets::halves;
+use super::texts::{REGIONS, said};
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config};
 use critreg::learn::{
@@ -35,15 +34,14 @@ fn sealed(bytes: &[u8]) -> Vec<u8> {
 }
 
 pub(crate) fn regions() -> Vec<Vec<u8>> {
-    let bytes = |text: Vec<u8>| {
-        let (domain, region) = halves(&text);
-        let domain = Domain::parse(&domain).unwrap();
-        let region = Region::parse(&domain, &region).unwrap();
+    let bytes = |(domain, region): (&str, &str)| {
+        let domain = Domain::parse(domain).unwrap();
+        let region = Region::parse(&domain, region).unwrap();
         let mut bytes = vec![0; region.saved_len(&domain)];
         region.save::<f64>(&domain, &mut bytes).unwrap();
         bytes
     };
-    texts().into_iter().map(bytes).collect()
+    REGIONS.map(bytes).into()
 }
 
 pub(crate) fn region(input: &[u8]) -> u64 {
