@@ -36,9 +36,9 @@ fn learn<R: Real>(seed: u64, scale: f64, crates: [bool; 2]) -> Result<Option<Str
     for index in 0..INSTANCES {
         let mut number = || uniform_in(&mut rng, 0.5, 3.5) * scale;
         instances.extend([number(), number()]);
-        for member in 0..2 {
+        for own in crates {
             // Some instances have a crate, where the cup is out of reach.
-            let there = crates[member] && index > 2;
+            let there = own && index > 2;
             instances.extend([(); 3].map(|()| if there { number() } else { f64::NAN }));
         }
     }
