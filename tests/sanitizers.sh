@@ -10,8 +10,16 @@ build=target/sanitizers
 export CARGO_PROFILE_RELEASE_LTO=false CARGO_PROFILE_RELEASE_OPT_LEVEL=1 \
     CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 CARGO_PROFILE_RELEASE_OVERFLOW_CHECKS=true
 mkdir -p "$build"
-# Without full optimisation core refers to what unwinds, which nothing here does.
-printf 'void rust_eh_personality(void);\nvoid rust_eh_personality(void) {}\n' > "$build/unwind.c"
+# Without full optimisation core refers to what unwinds, which nothing here does; and the
+# runtime of GCC's ThreadSanitizer knows no memory functions of LLVM's: it intercepts its own.
+cat > "$build/runtime.c" <<'END'
+#include <string.h>
+void rust_eh_personality(void) {}
+void *__tsan_memcpy(void *to, const void *from, size_t n) { return memcpy(to, from, n); }
+void *__tsan_memmove(void *to, const void *from, size_t n) { return memmove(to, from, n); }
+void *__tsan_memset(void *to, int byte, size_t n) { return memset(to, byte, n); }
+END
+cc -O1 -fno-builtin -c "$build/runtime.c" -o "$build/runtime.o"
 
 # library <sanitizer>: the library, instrumented if that is possible.
 library() {
@@ -28,9 +36,8 @@ program() {
     local sanitizers=$1 library=$2 name=$3 compiler=(cc -std=c99)
     shift 3
     case "$1" in *.cpp) compiler=(c++ -std=c++17) ;; esac
-    cc -c "$build/unwind.c" -o "$build/unwind.o"
     "${compiler[@]}" -D_DEFAULT_SOURCE -O1 -g "-fsanitize=$sanitizers" \
-        -fno-sanitize-recover=all -I include "$@" "$build/unwind.o" \
+        -fno-sanitize-recover=all -I include "$@" "$build/runtime.o" \
         "$build/$library/$target/release/libcritreg_ffi.a" -lm -lpthread -o "$build/$name"
 }
 
