@@ -95,7 +95,7 @@ impl<'m> Hypotheses<'m> {
         let used = runs(features, pairs.len()).map(|run| run.rhs.len()).sum();
         let enumerated = 4 * enumerated_pairs(features);
         let kept = 4 * used as u64;
-        Hypotheses {
+        let mut all = Hypotheses {
             pairs,
             used,
             enumeration: Enumeration {
@@ -103,7 +103,9 @@ impl<'m> Hypotheses<'m> {
                 kept,
                 left_out: enumerated.saturating_sub(kept),
             },
-        }
+        };
+        all.restore();
+        all
     }
 
     /// How many hypotheses the grammar has and the table holds.
