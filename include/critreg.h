@@ -59,6 +59,28 @@
  * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
  *
  *
+ * STACK
+ *
+ * Each function takes less than this, with the default features, on a machine with
+ * pointers of 64 bits (a program of the tests measures it); callbacks of the program come on
+ * top. On a Cortex-M4 with CRITREG_F32, learning and drawing take a little over 4 KiB.
+ *
+ *     critreg_learner_init(), critreg_learner_resume(), critreg_ask(), critreg_tell()    24 KiB
+ *     critreg_learn_region()                                                             16 KiB
+ *     critreg_region_parse()                                                             12 KiB
+ *     critreg_region_load()                                                               8 KiB
+ *     writing and saving regions and learners                                             4 KiB
+ *     critreg_sample_region()                                                            12 KiB
+ *     critreg_sample_regions(), critreg_region_contains(), critreg_region_intervals()    28 KiB
+ *     critreg_check_domain()                                                             24 KiB
+ *     critreg_check_region()                                                             32 KiB
+ *     critreg_plan()                                                                     56 KiB
+ *     critreg_planner_init()                                                            192 KiB
+ *     critreg_check_pddl(), critreg_planner_measure()                                   320 KiB
+ *
+ * Threads of small stacks make planners elsewhere, then.
+ *
+ *
  * CALLS
  *
  * A function returns a status and writes its outputs only on success. Exceptions:
@@ -171,7 +193,14 @@
  * samples for each constraint.
  *
  * The last queries (critreg_config.certifying) are draws from the region. What
- * they prove about it is in the report: the certificate.
+ * they prove about it is in the report: the certificate. It says that at least a share of
+ * the region works, and would be wrong about that in one of twenty runs at most (with a
+ * confidence of 0.95): ten draws of ten prove 0.74, 60 of 60 prove 0.95, 300 of 300 0.99. All
+ * draws count that were decided while the region was as it is now; one that fails changes
+ * it, and counting begins anew. It speaks of the training instances, each as often as
+ * the others, and of uniform draws: instances of another kind, and parameters that a planner
+ * chooses at the edge of the region, are not what was drawn. That nothing is missing in the
+ * region is another matter: recall_low and recall_high.
  *
  * Sequences of actions: if the action is a chain, say in critreg_config.steps how
  * many steps it has, and answer with CRITREG_FAILED_STEP(k) if step k failed. Each step
@@ -1358,8 +1387,9 @@ typedef struct critreg_config {
      */
     uint32_t calls;
     /**
-     * CRITREG_VERSION_SPACE: how many of these calls, the last ones, are about
-     * draws from the region, to certify it. Default 10.
+     * CRITREG_VERSION_SPACE: how many draws from the region certify it, with the last
+     * calls. With noise a draw takes several calls, of which they get a quarter of all at
+     * most. Default 10.
      */
     uint32_t certifying;
     /**
@@ -1460,7 +1490,9 @@ typedef int32_t critreg_outcome;
  * Whatever can tell whether an action works: a simulator, a motion planner, a
  * robot.
  *
- * It must return: no longjmp(), no C++ exception may leave it. It may not touch
+ * It must return: no longjmp(), no C++ exception may leave it. A handle that was left by a
+ * longjmp() all the same answers CRITREG_BUSY until critreg_learner_recover(); a C++
+ * exception ends the program, or does worse. It may not touch
  * the memory of the learner, nor call functions on it other than those that take
  * it as const; the others return CRITREG_BUSY.
  *
@@ -1659,7 +1691,7 @@ typedef struct critreg_ground {
  * Runs the controller of an operator in the program's simulator.
  *
  * This and the other callbacks of a planner must return: no longjmp(), no C++
- * exception may leave them. They may not touch the memory of the planner, nor call
+ * exception may leave them; see critreg_planner_recover(). They may not touch the memory of the planner, nor call
  * functions on it other than those that take it as const; the others return
  * CRITREG_BUSY. If one returns anything but CRITREG_OK, planning stops and
  * critreg_plan() returns that.
@@ -2483,6 +2515,16 @@ critreg_status critreg_learn_region(struct critreg_learner *learner,
                                     const struct critreg_region **region);
 
 /**
+ * Makes a learner usable again that answers CRITREG_BUSY because a callback was left by
+ * longjmp(), which it must not be. The sample that was being tried stays to be tried; all
+ * that was told before is kept. A learner that is not busy stays as it is.
+ *
+ * @param learner The learner. No call on it may be running, so this is not for callbacks.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_learner_recover(struct critreg_learner *learner);
+
+/**
  * Tells which sample to try next. Asking again before telling gives the same one.
  *
  * ```c
@@ -2858,8 +2900,8 @@ critreg_status critreg_learner_journal(struct critreg_learner *learner,
  * damaged and left out; cut it off before anything is appended.
  * @return CRITREG_MISMATCH for a record of another domain, instances, configuration or
  * number of forms, CRITREG_CORRUPT if one is missing before it,
- * CRITREG_CAPACITY_EXCEEDED if there is no room for it: those before were told then;
- * CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_INVALID_ARGUMENT,
+ * CRITREG_CAPACITY_EXCEEDED if there is no room for it, CRITREG_OUT_OF_SEQUENCE if the
+ * learner is not fresh: in all these cases nothing is told; CRITREG_INVALID_ARGUMENT,
  * CRITREG_NOT_FINITE, CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
  * CRITREG_NOT_A_HANDLE.
  */
@@ -2919,7 +2961,9 @@ critreg_status critreg_region_parse(void *memory,
  * @param len How many there are.
  * @param region Receives the handle, which lies at the start of the memory.
  * @return CRITREG_CORRUPT if the bytes are damaged, incomplete or of an unknown
- * version; and as critreg_region_parse().
+ * version; CRITREG_INVALID_ARGUMENT if the region computes with a precision that the
+ * library was built without, CRITREG_NOT_FINITE if that cannot hold its numbers; and as
+ * critreg_region_parse().
  */
 critreg_status critreg_region_load(void *memory,
                                    size_t memory_len,
@@ -2928,8 +2972,8 @@ critreg_status critreg_region_load(void *memory,
                                    struct critreg_region **region);
 
 /**
- * Writes a region with its domain as bytes: versioned, checksummed, the same on
- * every machine.
+ * Writes a region with its domain and precision as bytes: versioned, checksummed, the same
+ * on every machine.
  *
  * @param region The region.
  * @param bytes Receives the bytes.
@@ -3091,8 +3135,9 @@ critreg_status critreg_region_contains(const struct critreg_region *region,
  *
  * Whether the ends belong to the set, which depends on < and <= in the
  * constraints, is not told: no sampler can notice. Where a constraint has no
- * closed form (a turn by the parameter, a sum of two distances) the set is too
- * large rather than too small; critreg_sample_region() is right all the same.
+ * closed form (a turn by the parameter, a sum of two distances), or there are more
+ * than CRITREG_MAX_INTERVALS of them, the set is too large rather than too small;
+ * critreg_sample_region() is right all the same.
  *
  * @param region The region of an action with one parameter.
  * @param instance The instance: one number per attribute.
@@ -3497,6 +3542,16 @@ critreg_status critreg_plan(struct critreg_planner *planner,
                             uint64_t seed,
                             void *user_data,
                             size_t *length);
+
+/**
+ * Makes a planner usable again that answers CRITREG_BUSY because a callback was left by
+ * longjmp(), which it must not be. It has no plan then; plan again. A planner that is not
+ * busy stays as it is.
+ *
+ * @param planner The planner. No call on it may be running, so this is not for callbacks.
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_planner_recover(struct critreg_planner *planner);
 
 /**
  * Fills a step, so that critreg_planner_step() knows its size.
@@ -3974,7 +4029,7 @@ critreg_status critreg_check_pddl(const char *domain,
  * a problem of it need; the rest stays. Ask critreg_planner_size() then how much memory
  * that is.
  *
- * It takes about 150 kilobytes of stack.
+ * It takes much stack, see above.
  *
  * @param domain The PDDL domain, ended by NUL.
  * @param problem A PDDL problem of that domain, ended by NUL.

@@ -38,6 +38,8 @@ pub trait Real:
 {
     /// Its name, to tell apart what was saved.
     const NAME: &'static str;
+    /// How many bits it takes: in saved bytes, what is computed with.
+    const BITS: u16;
     /// The additive identity.
     const ZERO: Self;
     /// The multiplicative identity.
@@ -52,6 +54,8 @@ pub trait Real:
     const EPSILON: Self;
     /// The square root of that: half of the digits.
     const SQRT_EPSILON: Self;
+    /// Numbers up to here have squares and products of which a few can be added.
+    const LARGE: Self;
 
     /// The nearest value of this type.
     fn from_f64(value: f64) -> Self;
@@ -72,6 +76,11 @@ pub trait Real:
     /// Neither NaN nor infinite.
     fn is_finite(self) -> bool;
 
+    /// Whether this type has a number near a value, or the value is none.
+    fn holds(value: f64) -> bool {
+        !value.is_finite() || Self::from_f64(value).is_finite()
+    }
+
     /// The smaller of two numbers; `self` if they cannot be ordered.
     fn min(self, other: Self) -> Self {
         if other < self { other } else { self }
@@ -84,6 +93,15 @@ pub trait Real:
     fn clamp(self, low: Self, high: Self) -> Self {
         self.max(low).min(high)
     }
+    /// The number at a share of the way from this one to another, also where they are farther
+    /// apart than any number is large.
+    fn towards(self, other: Self, share: Self) -> Self {
+        let way = other - self;
+        match way.is_finite() {
+            true => self + way * share,
+            false => self * (Self::ONE - share) + other * share,
+        }
+    }
     /// An angle moved by whole turns into `[-pi, pi]`.
     fn wrap_angle(self) -> Self {
         let turn = Self::from_f64(core::f64::consts::TAU);
@@ -94,6 +112,7 @@ pub trait Real:
 
 impl Real for f64 {
     const NAME: &'static str = "f64";
+    const BITS: u16 = 64;
     const ZERO: f64 = 0.0;
     const ONE: f64 = 1.0;
     const INFINITY: f64 = f64::INFINITY;
@@ -101,6 +120,7 @@ impl Real for f64 {
     const NAN: f64 = f64::NAN;
     const EPSILON: f64 = f64::EPSILON;
     const SQRT_EPSILON: f64 = 1.0 / 67_108_864.0;
+    const LARGE: f64 = 1e150;
 
     fn from_f64(value: f64) -> f64 {
         value
@@ -133,6 +153,7 @@ impl Real for f64 {
 
 impl Real for f32 {
     const NAME: &'static str = "f32";
+    const BITS: u16 = 32;
     const ZERO: f32 = 0.0;
     const ONE: f32 = 1.0;
     const INFINITY: f32 = f32::INFINITY;
@@ -140,6 +161,7 @@ impl Real for f32 {
     const NAN: f32 = f32::NAN;
     const EPSILON: f32 = f32::EPSILON;
     const SQRT_EPSILON: f32 = 3.452_669_8e-4;
+    const LARGE: f32 = 1e18;
 
     fn from_f64(value: f64) -> f32 {
         value as f32
@@ -217,6 +239,7 @@ mod fast {
 
     impl Real for Fast32 {
         const NAME: &'static str = "fast32";
+        const BITS: u16 = 32;
         const ZERO: Fast32 = Fast32(0.0);
         const ONE: Fast32 = Fast32(1.0);
         const INFINITY: Fast32 = Fast32(f32::INFINITY);
@@ -224,6 +247,7 @@ mod fast {
         const NAN: Fast32 = Fast32(f32::NAN);
         const EPSILON: Fast32 = Fast32(f32::EPSILON);
         const SQRT_EPSILON: Fast32 = Fast32(<f32 as Real>::SQRT_EPSILON);
+        const LARGE: Fast32 = Fast32(<f32 as Real>::LARGE);
 
         fn from_f64(value: f64) -> Fast32 {
             Fast32(value as f32)

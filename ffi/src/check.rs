@@ -24,6 +24,8 @@ use critreg_core::region::Region;
 
 /// Most atoms of `:init` that a check has room for.
 const MAX_FACTS: usize = 2048;
+/// Most ground operators of a planner, which numbers them so.
+const MAX_OPERATORS: usize = u16::MAX as usize;
 
 /// Reads a domain text and says what is wrong with it, such as
 /// "line 3, column 7: unknown object".
@@ -47,7 +49,7 @@ pub unsafe extern "C" fn critreg_check_domain(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let checked = parse_domain(domain).and_then(|domain| check_points(&domain));
+        let checked = check_domain(domain);
         explain(checked, text, len, needed)
     }
 }
@@ -209,6 +211,11 @@ fn measure_problem(problem: &pddl::Problem<'_>) -> Result<Measured, Error> {
     let mut grounding = pddl::Grounding::<16>::new(problem)?;
     let (mut operators, mut links) = (0, 0);
     grounding.operators(&mut |operator| {
+        if operators == MAX_OPERATORS {
+            return Err(Error::CapacityExceeded(
+                "ground operators: more than a planner has places for",
+            ));
+        }
         operators += 1;
         links += plan::links(core::slice::from_ref(&operator));
         Ok(())
@@ -224,7 +231,7 @@ fn measure_problem(problem: &pddl::Problem<'_>) -> Result<Measured, Error> {
 /// a problem of it need; the rest stays. Ask critreg_planner_size() then how much memory
 /// that is.
 ///
-/// It takes about 150 kilobytes of stack.
+/// It takes much stack, see above.
 ///
 /// @param domain The PDDL domain, ended by NUL.
 /// @param problem A PDDL problem of that domain, ended by NUL.
@@ -253,26 +260,31 @@ pub unsafe extern "C" fn critreg_planner_measure(
     status_of(measured())
 }
 
+/// What is large is on the stack while this runs, and no more when words are written.
+///
 /// # Safety
 /// If not NULL, the text can be read up to its NUL.
-unsafe fn parse_domain<'a>(domain: *const c_char) -> Fallible<Domain<'a>> {
+#[inline(never)]
+unsafe fn check_domain(domain: *const c_char) -> Fallible {
     // SAFETY: by this function's contract.
     let text = unsafe { pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain")? };
-    Ok(Domain::parse(text)?)
+    let mut domain = Domain::empty();
+    domain.read(text)?;
+    check_points(&domain)
 }
 
 /// # Safety
 /// If not NULL, the texts can be read up to their NUL.
+#[inline(never)]
 unsafe fn check_region(domain: *const c_char, region_text: *const c_char) -> Fallible {
     // SAFETY: by this function's contract.
-    let (domain, text) = unsafe {
-        (
-            parse_domain(domain)?,
-            pointer::text(region_text, REGION_TEXT_MAX, "region_text")?,
-        )
-    };
-    Region::parse(&domain, text)?;
-    Ok(())
+    let domain_text = unsafe { pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain")? };
+    let mut domain = Domain::empty();
+    domain.read(domain_text)?;
+    // SAFETY: as above.
+    let text = unsafe { pointer::text(region_text, REGION_TEXT_MAX, "region_text")? };
+    let mut region = Region::default();
+    Ok(region.read(&domain, text)?)
 }
 
 /// What is wrong, and with what.

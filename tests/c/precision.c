@@ -92,6 +92,59 @@ static void saving(void)
     EXPECT_TRUE(len == len_again && memcmp(bytes, again, len) == 0);
 }
 
+/* A region that was saved computes with what its learner did. */
+static void saving_regions(void)
+{
+    static uint8_t bytes[8192], again[8192];
+    static uint64_t other[CRITREG_REGION_WORDS];
+    double instances[TRAINING][NUMBERS], one[1], two[1];
+    const critreg_region *region = NULL;
+    critreg_region *loaded = NULL;
+    critreg_learner *learner = learner_for(CRITREG_F32, 1);
+    critreg_rng rng = critreg_rng_seed(1), same = rng;
+    size_t len = 0, len_again = 0;
+    int i;
+    tasks(100000, TRAINING, instances);
+    OK(critreg_learn_region(learner, instances[0], TRAINING, critreg_stick_button_pick, NULL,
+                            &region));
+    OK(critreg_region_save(region, bytes, sizeof bytes, &len));
+    OK(critreg_region_load(other, sizeof other, bytes, len, &loaded));
+    for (i = 0; i < 100; i++) {
+        OK(critreg_sample_region(region, instances[i % TRAINING], &rng, one));
+        OK(critreg_sample_region(loaded, instances[i % TRAINING], &same, two));
+        EXPECT_TRUE(memcmp(one, two, sizeof one) == 0);
+    }
+    OK(critreg_region_save(loaded, again, sizeof again, &len_again));
+    EXPECT_TRUE(len == len_again && memcmp(bytes, again, len) == 0);
+}
+
+/* A number that no float is near is refused, wherever it comes in. */
+static void too_large(void)
+{
+    static const char *const HUGE_DOMAINS[] = {
+        "object cup { x: length } parameter p in [0, 1e39]: length",
+        "object cup { x: length } constant far = 1e39: length parameter p in [0, 4]: length",
+    };
+    static const char *const PLAIN = "object cup { x: length } parameter p in [0, 4]: length";
+    critreg_config config;
+    critreg_learner *learner;
+    double far[1] = {1e39}, near[1] = {1.0}, theta;
+    size_t instance, i;
+    OK(critreg_config_init(&config, sizeof config));
+    for (i = 0; i < 2; i++) {
+        config.precision = CRITREG_F32;
+        EXPECT(CRITREG_NOT_FINITE,
+               critreg_learner_init(memory, sizeof memory, HUGE_DOMAINS[i], &config, &learner));
+        config.precision = CRITREG_F64;
+        OK(critreg_learner_init(memory, sizeof memory, HUGE_DOMAINS[i], &config, &learner));
+    }
+    config.precision = CRITREG_F32;
+    OK(critreg_learner_init(memory, sizeof memory, PLAIN, &config, &learner));
+    EXPECT(CRITREG_NOT_FINITE, critreg_ask(learner, far, 1, &instance, &theta));
+    EXPECT(CRITREG_NOT_FINITE, critreg_observe(learner, near, 1, 0, far, CRITREG_FEASIBLE));
+    OK(critreg_ask(learner, near, 1, &instance, &theta));
+}
+
 int main(void)
 {
     critreg_config config;
@@ -100,6 +153,8 @@ int main(void)
     printf("float: %d, double: %d of %d\n", single, twice, SEEDS);
     EXPECT_TRUE(twice >= 18 && single >= 18);
     saving();
+    saving_regions();
+    too_large();
     OK(critreg_config_init(&config, sizeof config));
     config.precision = 16;
     EXPECT(CRITREG_INVALID_ARGUMENT,

@@ -84,7 +84,7 @@ fn learning_and_drawing() {
         let region = critreg::learn::Learner::region(&learner)?;
         let mut text = TextBuffer::new(&mut words);
         region.write(&domain, &mut text).expect("there is room");
-        region.save(&domain, &mut bytes)?;
+        region.save::<f64>(&domain, &mut bytes)?;
         let instance = problem.instance(0)?;
         let theta = region.sample::<f64>(&domain, instance, &mut generator(1))?;
         Ok(ENVIRONMENT.try_pick(instance, &theta)?.is_feasible())

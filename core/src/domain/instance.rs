@@ -3,6 +3,10 @@
 use super::declarations::{Attribute, Object};
 use super::schema::Domain;
 use crate::error::Error;
+use crate::real::Real;
+
+/// What is wrong with an instance that a precision does not hold.
+pub(crate) const TOO_LARGE: &str = "a number of an instance is larger than any of this precision";
 
 impl<'t> Domain<'t> {
     /// How many numbers a problem instance has: every attribute of every object,
@@ -90,6 +94,20 @@ impl<'t> Domain<'t> {
         all_finite(theta, "a parameter")
     }
 
+    /// Checks that the constants and the ranges of the parameters are numbers of the type
+    /// that is computed with.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn check_precision<R: Real>(&self) -> Result<(), Error> {
+        let constants = self.constants.iter().map(|constant| constant.value);
+        let ends = self.parameters.iter().flat_map(|p| [p.low, p.high]);
+        held::<R>(
+            constants.chain(ends),
+            "a constant or a range is larger than any number of this precision",
+        )
+    }
+
     /// The object to which a number of an instance belongs.
     pub(super) fn owner(&self, slot: u8) -> Option<&Object<'t>> {
         self.objects.iter().rfind(|o| o.first_slot <= slot)
@@ -102,6 +120,17 @@ impl Object<'_> {
     pub(super) fn is_present(&self, instance: &[f64]) -> bool {
         let first = instance.get(usize::from(self.first_slot));
         self.member.is_none() || first.is_some_and(|number| !number.is_nan())
+    }
+}
+
+/// Checks that a type has numbers near these values, or near those of them that are any.
+pub(crate) fn held<R: Real>(
+    mut values: impl Iterator<Item = f64>,
+    what: &'static str,
+) -> Result<(), Error> {
+    match values.all(R::holds) {
+        true => Ok(()),
+        false => Err(Error::NotFinite(what)),
     }
 }
 

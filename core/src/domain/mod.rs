@@ -136,6 +136,7 @@ mod dimension;
 mod expression;
 mod group;
 mod instance;
+pub(crate) use instance::{TOO_LARGE, held};
 mod node;
 mod point_set;
 mod sample;

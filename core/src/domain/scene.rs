@@ -4,6 +4,7 @@
 
 use super::algebra::{Algebra, Arithmetic};
 use super::declarations::{Base, Point, Shape};
+use super::instance::{TOO_LARGE, held};
 use super::node::{Node, NodeId, Quantity};
 use super::point_set::PointSet;
 use super::schema::{Domain, MAX_OBJECTS, MAX_POINTS};
@@ -73,6 +74,7 @@ impl<'a, R: Real> Scene<'a, R> {
 
     pub(crate) fn place_points(&mut self) -> Result<(), Error> {
         self.domain.check_instance(self.instance)?;
+        held::<R>(self.instance.iter().copied(), TOO_LARGE)?;
         if self.points.sampled.iter().nth(MAX_SAMPLE_POINTS).is_some() {
             return Err(Error::CapacityExceeded("points that depend on a parameter"));
         }

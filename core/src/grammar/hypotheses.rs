@@ -93,12 +93,9 @@ impl<'m> Hypotheses<'m> {
     /// four hypotheses, until it is full.
     pub fn enumerate<R: Real>(features: &Features<'_, R>, pairs: &'m mut [u8]) -> Self {
         let used = runs(features, pairs.len()).map(|run| run.rhs.len()).sum();
-        for pair in pairs.iter_mut().take(used) {
-            *pair = ALL_FOUR;
-        }
         let enumerated = 4 * enumerated_pairs(features);
         let kept = 4 * used as u64;
-        Hypotheses {
+        let mut all = Hypotheses {
             pairs,
             used,
             enumeration: Enumeration {
@@ -106,12 +103,21 @@ impl<'m> Hypotheses<'m> {
                 kept,
                 left_out: enumerated.saturating_sub(kept),
             },
-        }
+        };
+        all.restore();
+        all
     }
 
     /// How many hypotheses the grammar has and the table holds.
     pub fn enumeration(&self) -> Enumeration {
         self.enumeration
+    }
+
+    /// Puts all hypotheses into the set again.
+    pub(crate) fn restore(&mut self) {
+        for pair in self.pairs.iter_mut().take(self.used) {
+            *pair = ALL_FOUR;
+        }
     }
 
     /// How many hypotheses are still in the set.

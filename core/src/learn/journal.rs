@@ -15,7 +15,7 @@
 //! that was torn when the machine stopped is noticed and left out.
 
 use super::Learner;
-use super::log::{Notes, Observation, check_fresh};
+use super::log::{Notes, Observation, check_fresh, or_restart};
 use super::problem::{Begun, Problem};
 use super::question::KEPT;
 use crate::error::Error;
@@ -84,43 +84,45 @@ pub fn journal(
 /// # Errors
 /// [`Error::Mismatch`] for a record of another problem or configuration,
 /// [`Error::Corrupt`] if one is missing before it, [`Error::CapacityExceeded`] if there is no
-/// room for its observation: then those before were told.
-/// [`Error::OutOfSequence`] if the learner is not fresh: then nothing was.
+/// room for its observation, [`Error::OutOfSequence`] if the learner is not fresh: then
+/// nothing was told.
 pub fn resume_journal<L: Learner + ?Sized>(
     learner: &mut L,
     problem: &Problem<'_>,
     bytes: &[u8],
 ) -> Result<usize, Error> {
     check_fresh(learner)?;
-    let mut stands = 0;
-    for record in bytes.chunks_exact(record_len(problem)) {
-        let Ok(mut reader) = Reader::new(record, MAGIC, VERSION) else {
-            break;
-        };
-        Begun::check(&mut reader, problem)?;
-        if reader.u32()? != learner.fingerprint() {
-            return Err(Error::Mismatch("saved with another configuration"));
-        }
-        let place = reader.u32()? as usize;
-        let saved = Observation::read(&mut reader, problem)?;
-        if stands == 0 && saved.notes & KEPT != 0 {
-            // What was dropped before is in no journal.
-            let notes = Notes {
-                dropped: place,
-                ..learner.notes()
+    or_restart(learner, problem, |learner| {
+        let mut stands = 0;
+        for record in bytes.chunks_exact(record_len(problem)) {
+            let Ok(mut reader) = Reader::new(record, MAGIC, VERSION) else {
+                break;
             };
-            learner.reopen(problem, notes)?;
+            Begun::check(&mut reader, problem)?;
+            if reader.u32()? != learner.fingerprint() {
+                return Err(Error::Mismatch("saved with another configuration"));
+            }
+            let place = reader.u32()? as usize;
+            let saved = Observation::read(&mut reader, problem)?;
+            if stands == 0 && saved.notes & KEPT != 0 {
+                // What was dropped before is in no journal.
+                let notes = Notes {
+                    dropped: place,
+                    ..learner.notes()
+                };
+                learner.reopen(problem, notes)?;
+            }
+            if place != learner.notes().dropped + learner.observations().len() {
+                return Err(Error::Corrupt("a record of the journal is missing"));
+            }
+            learner.replay(problem, &saved)?;
+            stands += record.len();
         }
-        if place != learner.notes().dropped + learner.observations().len() {
-            return Err(Error::Corrupt("a record of the journal is missing"));
-        }
-        learner.replay(problem, &saved)?;
-        stands += record.len();
-    }
-    let notes = Notes {
-        since: 0,
-        ..learner.notes()
-    };
-    learner.reopen(problem, notes)?;
-    Ok(stands)
+        let notes = Notes {
+            since: 0,
+            ..learner.notes()
+        };
+        learner.reopen(problem, notes)?;
+        Ok(stands)
+    })
 }

@@ -242,22 +242,37 @@ pub fn resume<L: Learner + ?Sized>(
     if usize::try_from(count).map_or(true, |count| count > learner.room()) {
         return Err(Error::CapacityExceeded("observations"));
     }
-    for _ in 0..count {
-        let saved = Observation::read(&mut reader, problem)?;
-        learner.replay(problem, &saved)?;
+    or_restart(learner, problem, |learner| {
+        for _ in 0..count {
+            let saved = Observation::read(&mut reader, problem)?;
+            learner.replay(problem, &saved)?;
+        }
+        let notes = Notes {
+            since,
+            asked,
+            dropped: dropped as usize,
+        };
+        learner.reopen(problem, notes)?;
+        for _ in 0..trials {
+            let saved = Trial::read(&mut reader, problem)?;
+            learner.restore(problem, saved)?;
+        }
+        reader.finish()
+    })
+}
+
+/// Tells a fresh learner what was saved. If some of it is wrong, which is not seen before it
+/// is told, the learner is as fresh as before.
+pub(super) fn or_restart<L: Learner + ?Sized, T>(
+    learner: &mut L,
+    problem: &Problem<'_>,
+    tell: impl FnOnce(&mut L) -> Result<T, Error>,
+) -> Result<T, Error> {
+    let told = tell(learner);
+    if told.is_err() {
+        learner.restart(problem.domain());
     }
-    let dropped = dropped as usize;
-    let notes = Notes {
-        since,
-        asked,
-        dropped,
-    };
-    learner.reopen(problem, notes)?;
-    for _ in 0..trials {
-        let saved = Trial::read(&mut reader, problem)?;
-        learner.restore(problem, saved)?;
-    }
-    reader.finish()
+    told
 }
 
 /// Checks that nothing was asked or told yet.

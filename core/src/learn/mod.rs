@@ -80,6 +80,7 @@ pub use question::Trial;
 pub use question::{MAX_QUESTIONS, Question};
 pub use version_space::{Capacity, Certificate, Config, Evidence, Memory, Report, VersionSpace};
 
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::region::{Region, Theta};
 
@@ -191,6 +192,10 @@ pub trait Learner {
     /// [`Error::CapacityExceeded`] if there is no room for it, and those of [`Learner::ask`].
     #[doc(hidden)]
     fn restore(&mut self, problem: &Problem<'_>, saved: Trial) -> Result<(), Error>;
+
+    /// Makes it as it was before anything was asked or told.
+    #[doc(hidden)]
+    fn restart(&mut self, domain: &Domain<'_>);
 
     /// Whether there is nothing more to ask.
     fn is_finished(&self) -> bool;

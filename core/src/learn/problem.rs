@@ -1,7 +1,8 @@
 //! What is learned about: a domain and its problem instances.
 
-use crate::domain::Domain;
+use crate::domain::{Domain, TOO_LARGE, held};
 use crate::error::Error;
+use crate::real::Real;
 use crate::region::Theta;
 use crate::wire::CHECKSUM;
 
@@ -94,6 +95,14 @@ impl<'p> Problem<'p> {
         range.ok_or(Error::InvalidArgument(
             "there is no instance with this index",
         ))
+    }
+
+    /// Checks that the numbers of all instances are some of the type that is computed with.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub(super) fn check_precision<R: Real>(&self) -> Result<(), Error> {
+        held::<R>(self.instances.iter().copied(), TOO_LARGE)
     }
 
     /// A checksum of the domain text and all instances.

@@ -102,6 +102,7 @@ impl<R: Real> SubAssign for Dual<R> {
 
 impl<R: Real> Real for Dual<R> {
     const NAME: &'static str = "dual";
+    const BITS: u16 = R::BITS;
     const ZERO: Self = Dual::constant(R::ZERO);
     const ONE: Self = Dual::constant(R::ONE);
     const INFINITY: Self = Dual::constant(R::INFINITY);
@@ -109,6 +110,7 @@ impl<R: Real> Real for Dual<R> {
     const NAN: Self = Dual::constant(R::NAN);
     const EPSILON: Self = Dual::constant(R::EPSILON);
     const SQRT_EPSILON: Self = Dual::constant(R::SQRT_EPSILON);
+    const LARGE: Self = Dual::constant(R::LARGE);
 
     fn from_f64(value: f64) -> Self {
         Dual::constant(R::from_f64(value))

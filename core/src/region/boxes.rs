@@ -94,7 +94,7 @@ impl BoxSearch {
             let shift = self.depth - 1 - level;
             let upper = ((self.path >> shift) ^ (self.order >> level)) & 1 == 1;
             if let (Some(low), Some(high)) = (low.get_mut(parameter), high.get_mut(parameter)) {
-                let middle = *low + (*high - *low) * R::from_f64(0.5);
+                let middle = low.towards(*high, R::from_f64(0.5));
                 *(if upper { low } else { high }) = middle;
             }
         }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | 4 | `CRRG` |
 //! | 2 | version, little endian |
+//! | 2 | bits of the numbers that are computed with, little endian |
 //! | 2 | length of the domain text, little endian |
 //! | 2 | length of the region text, little endian |
 //! | n | domain text, UTF-8 |
@@ -16,15 +17,18 @@
 use super::lifted::Region;
 use crate::domain::Domain;
 use crate::error::Error;
+use crate::real::Real;
 use crate::text::TextBuffer;
 use crate::wire::{FRAME, Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRRG";
-const VERSION: u16 = 1;
+const VERSION: u16 = 2;
 
 /// Saved bytes that were checked and cut into their texts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SavedRegion<'b> {
+    /// What it computes with, see [`Real::BITS`].
+    pub bits: u16,
     /// The domain the region belongs to.
     pub domain_text: &'b str,
     /// The region itself.
@@ -38,9 +42,11 @@ impl<'b> SavedRegion<'b> {
     /// [`Error::Corrupt`] if they are damaged, incomplete or of another version.
     pub fn read(bytes: &'b [u8]) -> Result<Self, Error> {
         let mut reader = Reader::new(bytes, MAGIC, VERSION)?;
+        let bits = reader.u16()?;
         let domain_length = reader.u16()?;
         let region_length = reader.u16()?;
         let saved = SavedRegion {
+            bits,
             domain_text: reader.text(usize::from(domain_length))?,
             region_text: reader.text(usize::from(region_length))?,
         };
@@ -50,16 +56,17 @@ impl<'b> SavedRegion<'b> {
 }
 
 impl Region {
-    /// Writes the region and its domain into `bytes` and returns how many were
-    /// used.
+    /// Writes the region, its domain and what it computes with into `bytes` and returns how
+    /// many were used.
     ///
     /// # Errors
     /// [`Error::CapacityExceeded`] if `bytes` is too short; it then holds a useless part.
     /// [`Region::saved_len`] tells the length needed.
-    pub fn save(&self, domain: &Domain<'_>, bytes: &mut [u8]) -> Result<usize, Error> {
+    pub fn save<R: Real>(&self, domain: &Domain<'_>, bytes: &mut [u8]) -> Result<usize, Error> {
         const TOO_LONG: Error = Error::CapacityExceeded("a text of more than 65535 bytes");
         let region_length = self.text_len(domain);
         let mut writer = Writer::new(bytes, MAGIC, VERSION);
+        writer.u16(R::BITS);
         writer.u16(u16::try_from(domain.text().len()).map_err(|_| TOO_LONG)?);
         writer.u16(u16::try_from(region_length).map_err(|_| TOO_LONG)?);
         writer.bytes(domain.text().as_bytes());
@@ -70,7 +77,7 @@ impl Region {
 
     /// How many bytes [`Region::save`] needs.
     pub fn saved_len(&self, domain: &Domain<'_>) -> usize {
-        FRAME + 4 + domain.text().len() + self.text_len(domain)
+        FRAME + 6 + domain.text().len() + self.text_len(domain)
     }
 
     /// How many bytes its text takes.

@@ -96,7 +96,8 @@ impl<'a, R: Real> Grounded<'a, R> {
         };
         let ends = [parameter.low, parameter.high].map(R::from_f64);
         let line: [&[R]; 2] = [&[R::ZERO], &[R::ONE]];
-        slice(&self.region.formula, &self.scene, line, ends, &mut self.set)
+        slice(&self.region.formula, &self.scene, line, ends, &mut self.set);
+        Ok(())
     }
 
     /// Whether the region admits these parameters; one number each.
@@ -188,7 +189,8 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
         set: &mut IntervalSet<R>,
     ) -> Result<(), Error> {
         let line = line.map(Vector::as_slice);
-        slice(&self.region.formula, &self.scene, line, ends, set)
+        slice(&self.region.formula, &self.scene, line, ends, set);
+        Ok(())
     }
 
     fn excludes(&self, low: &Vector<R>, high: &Vector<R>) -> Result<bool, Error> {

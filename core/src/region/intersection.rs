@@ -94,7 +94,7 @@ impl<'p, R: Real> Intersection<'p, R> {
             ));
         }
         self.relevant |= grounded.relevant();
-        self.set = self.set.intersection(grounded.set())?;
+        self.set = self.set.intersection(grounded.set());
         Ok(())
     }
 
@@ -129,7 +129,7 @@ impl<'p, R: Real> Intersection<'p, R> {
     /// [`Grounded::is_proven_empty`].
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`].
+    /// Those of [`Region::ground`].
     pub fn is_proven_empty(&self) -> Result<bool, Error> {
         is_proven_empty(self)
     }
@@ -201,7 +201,7 @@ impl<R: Real> ParameterSet<R> for Intersection<'_, R> {
                 grounded.slice(line, ends, set)?;
             } else {
                 grounded.slice(line, ends, &mut own)?;
-                *set = set.intersection(&own)?;
+                *set = set.intersection(&own);
             }
         }
         Ok(())

@@ -1,13 +1,13 @@
 //! Exact sets of numbers: sorted, disjoint intervals.
 
-use crate::error::Error;
 use crate::grammar::MAX_CONSTRAINTS;
 use crate::real::Real;
 use heapless::Vec;
 
 /// Most intervals of a set. Intervals end at roots and at the ends of the line, and a
 /// constraint has two roots on average. A constraint about a group can have more, and an
-/// interval may begin where another one ends; then the room may not suffice.
+/// interval may begin where another one ends; where the room does not suffice, the last
+/// intervals are made one, and the set is too large.
 pub const MAX_INTERVALS: usize = MAX_CONSTRAINTS + 1;
 
 /// All numbers between two ends.
@@ -126,18 +126,27 @@ impl<R: Real> IntervalSet<R> {
     /// As [`IntervalSet::quantile`], with the share `margin` of every interval left
     /// out at both of its ends.
     pub fn quantile_inside(&self, share: R, margin: R) -> Option<R> {
-        let mut left = share * self.length();
+        // A set may be longer than any number is large; an eighth of it is not.
+        let scale = match self.length().is_finite() {
+            true => R::ONE,
+            false => R::from_f64(0.125),
+        };
+        let scaled = |interval: &Interval<R>| (interval.high * scale) - (interval.low * scale);
+        let lengths = self.intervals.iter().map(scaled);
+        let length = lengths.fold(R::ZERO, |sum, length| sum + length);
+        let mut left = share * length;
         let last = self.intervals.last()?;
         for interval in &self.intervals {
-            if left < interval.length() {
+            let own = scaled(interval);
+            if left < own {
                 let inner = R::ONE - margin - margin;
-                return Some(interval.low + margin * interval.length() + inner * left);
+                return Some((interval.low * scale + margin * own + inner * left) / scale);
             }
-            left -= interval.length();
+            left -= own;
         }
         // Rounding may leave a rest; a set of points has no length at all.
         let first = self.intervals.first()?;
-        Some(if self.length() > R::ZERO {
+        Some(if length > R::ZERO {
             last.high
         } else {
             first.low
@@ -145,10 +154,7 @@ impl<R: Real> IntervalSet<R> {
     }
 
     /// The numbers that belong to both sets.
-    ///
-    /// # Errors
-    /// [`Error::CapacityExceeded`] if it has more intervals than there is room for.
-    pub fn intersection(&self, other: &IntervalSet<R>) -> Result<IntervalSet<R>, Error> {
+    pub fn intersection(&self, other: &IntervalSet<R>) -> IntervalSet<R> {
         let mut both = IntervalSet {
             intervals: Vec::new(),
             exact: self.exact && other.exact,
@@ -157,7 +163,7 @@ impl<R: Real> IntervalSet<R> {
         let (mut a, mut b) = (own.next(), others.next());
         while let (Some(first), Some(second)) = (a, b) {
             if let Some(shared) = first.intersection(second) {
-                both.push(shared)?;
+                both.push(shared);
             }
             // The interval that ends first meets no later one of the other set.
             if first.ends_before(second) {
@@ -166,7 +172,7 @@ impl<R: Real> IntervalSet<R> {
                 b = others.next();
             }
         }
-        Ok(both)
+        both
     }
 
     /// Removes all intervals.
@@ -175,10 +181,14 @@ impl<R: Real> IntervalSet<R> {
         self.exact = exact;
     }
 
-    fn push(&mut self, interval: Interval<R>) -> Result<(), Error> {
-        self.intervals
-            .push(interval)
-            .map_err(|_| Error::CapacityExceeded("intervals of a region"))
+    /// Appends an interval, or makes the last one reach to its end.
+    fn push(&mut self, interval: Interval<R>) {
+        if let Err(interval) = self.intervals.push(interval) {
+            self.exact = false;
+            if let Some(last) = self.intervals.last_mut() {
+                (last.high, last.high_closed) = (interval.high, interval.high_closed);
+            }
+        }
     }
 }
 
@@ -197,26 +207,25 @@ impl<'s, R: Real> Builder<'s, R> {
     }
 
     /// The next break: whether it belongs to the set, and what follows it.
-    pub(super) fn step(&mut self, at: R, here: bool, after: bool) -> Result<(), Error> {
+    pub(super) fn step(&mut self, at: R, here: bool, after: bool) {
         match (self.open, here, after) {
             (None, _, true) => self.open = Some((at, here)),
-            (None, true, false) => self.close((at, true), (at, true))?,
+            (None, true, false) => self.close((at, true), (at, true)),
             (None, false, false) | (Some(_), true, true) => {}
             (Some(low), _, _) => {
-                self.close(low, (at, here))?;
+                self.close(low, (at, here));
                 self.open = after.then_some((at, here));
             }
         }
-        Ok(())
     }
 
     /// Finishes an interval with these ends; each with whether it belongs to it.
-    fn close(&mut self, low: (R, bool), high: (R, bool)) -> Result<(), Error> {
+    fn close(&mut self, low: (R, bool), high: (R, bool)) {
         self.set.push(Interval {
             low: low.0,
             high: high.0,
             low_closed: low.1,
             high_closed: high.1,
-        })
+        });
     }
 }

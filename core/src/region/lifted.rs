@@ -1,8 +1,9 @@
 //! Regions before an instance is known: constraints that speak of objects and points.
 
-use crate::domain::{Domain, PointSet};
+use crate::domain::{Domain, Node, PointSet, held};
 use crate::error::Error;
 use crate::grammar::Formula;
+use crate::real::Real;
 use crate::table::Blank;
 use core::fmt;
 
@@ -107,7 +108,19 @@ impl Region {
     /// # Errors
     /// [`Error::Syntax`], [`Error::CapacityExceeded`].
     pub fn parse(domain: &Domain<'_>, text: &str) -> Result<Region, Error> {
-        Ok(Region::new(domain, Formula::parse(domain, text)?))
+        let mut region = Region::default();
+        region.read(domain, text)?;
+        Ok(region)
+    }
+
+    /// As [`Region::parse`], in place: regions are large.
+    ///
+    /// # Errors
+    /// Those of [`Region::parse`]. After one it is no region of any use.
+    pub fn read(&mut self, domain: &Domain<'_>, text: &str) -> Result<(), Error> {
+        self.formula.read(domain, text)?;
+        self.note_dependence(domain);
+        Ok(())
     }
 
     /// Writes its text; reading that gives the same region.
@@ -127,6 +140,23 @@ impl Region {
             }
         }
         Text(self, domain)
+    }
+
+    /// Checks that its numbers, and those of its domain, are some of the type that is
+    /// computed with.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn check_precision<R: Real>(&self, domain: &Domain<'_>) -> Result<(), Error> {
+        domain.check_precision::<R>()?;
+        let numbers = self.formula.nodes().iter().map(|node| match node {
+            Node::Number(value) => *value,
+            _ => 0.0,
+        });
+        held::<R>(
+            numbers,
+            "a number of the region is larger than any of this precision",
+        )
     }
 
     /// Its constraints and connectives.

@@ -73,7 +73,7 @@ impl<R: Real> Grounded<'_, R> {
     /// that the proof was not found.
     ///
     /// # Errors
-    /// [`Error::CapacityExceeded`].
+    /// Those of [`Region::ground`].
     pub fn is_proven_empty(&self) -> Result<bool, Error> {
         is_proven_empty(self)
     }
@@ -134,7 +134,7 @@ fn draw_from<R: Real>(
     }
     let half = R::from_f64(0.5);
     for interval in set.intervals() {
-        let theta = along(interval.low + interval.length() * half);
+        let theta = along(interval.low.towards(interval.high, half));
         if parameters.admits(&theta)? {
             return Ok(Some(theta));
         }
@@ -192,7 +192,7 @@ fn inside<R: Real>(
 ) -> Vector<R> {
     let mut theta = *low;
     for (value, high) in theta.iter_mut().zip(high).take(count) {
-        *value += (*high - *value) * uniform_real(rng);
+        *value = value.towards(*high, uniform_real(rng));
     }
     theta
 }

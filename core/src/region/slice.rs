@@ -3,14 +3,13 @@
 use super::choices::{Along, Choices};
 use super::interval::{Builder, IntervalSet};
 use crate::domain::{Curve, Line, MAX_PARAMETERS, Node, Sample, Scene};
-use crate::error::Error;
 use crate::grammar::{Comparison, Constraint, Formula, MAX_CONSTRAINTS};
 use crate::real::Real;
 use heapless::Vec;
 
 /// Most roots of all constraints of a region: two per constraint. A constraint about a
-/// group can have two for each member, so if all are about groups, the room may not
-/// suffice.
+/// group can have two for each member; one whose roots find no room counts as one without a
+/// closed form.
 const MAX_BREAKS: usize = 2 * MAX_CONSTRAINTS;
 
 /// Sets `set` to the admitted positions `t` between two ends on the line
@@ -25,7 +24,7 @@ pub(super) fn slice<R: Real>(
     [origin, direction]: [&[R]; 2],
     ends: [R; 2],
     set: &mut IntervalSet<R>,
-) -> Result<(), Error> {
+) {
     let mut theta: Vec<Line<R>, MAX_PARAMETERS> = Vec::new();
     for (at, slope) in origin.iter().zip(direction) {
         let (at, slope) = (*at, *slope);
@@ -39,7 +38,7 @@ pub(super) fn slice<R: Real>(
         theta: &theta,
         sample: &sample,
     };
-    cut(formula, along, ends, set)
+    cut(formula, along, ends, set);
 }
 
 /// Cuts a line at the roots of a formula's constraints. Not inlined, so that its breaks
@@ -50,19 +49,21 @@ fn cut<R: Real>(
     along: Along<'_, '_, R>,
     ends: [R; 2],
     set: &mut IntervalSet<R>,
-) -> Result<(), Error> {
+) {
     let nodes = formula.nodes();
     let mut cut = Cut::new(ends);
     for (owner, constraint) in (0u8..).zip(formula.constraints()) {
         let sides = [constraint.lhs, constraint.rhs];
         let curve = along.sample.difference(nodes, sides);
-        if curve.is_finite() {
-            cut.add(owner, &curve, constraint.comparison)?;
-        } else {
-            cut.add_without_curve(owner, along, nodes, constraint)?;
+        let added = match curve.is_finite() {
+            true => cut.add(owner, &curve, constraint.comparison),
+            false => cut.add_without_curve(owner, along, nodes, constraint),
+        };
+        if added.is_none() {
+            cut.add_unknown(owner);
         }
     }
-    cut.write(formula, set)
+    cut.write(formula, set);
 }
 
 /// The constraint that a root belongs to, and whether that constraint holds after it:
@@ -134,9 +135,10 @@ impl<R: Real> Cut<R> {
         }
     }
 
-    /// Cuts at the roots of a constraint, and evaluates it once between them.
+    /// Cuts at the roots of a constraint, and evaluates it once between them. `None` if there
+    /// is no room for them.
     #[inline(never)]
-    fn add(&mut self, owner: u8, curve: &Curve<R>, comparison: Comparison) -> Result<(), Error> {
+    fn add(&mut self, owner: u8, curve: &Curve<R>, comparison: Comparison) -> Option<()> {
         let [low, high] = self.ends;
         let passes = |t: R| curve.is_near_zero(t) || curve.may_jump(t);
         let inside = |t: R| low <= t && t <= high && passes(t);
@@ -158,7 +160,7 @@ impl<R: Real> Cut<R> {
             end = a;
         }
         self.begin(owner, comparison, holds_between(low, end));
-        Ok(())
+        Some(())
     }
 
     /// Notes whether a constraint holds before its first root, and whether at its roots.
@@ -176,7 +178,7 @@ impl<R: Real> Cut<R> {
 
     /// As [`Cut::add`], for a constraint with extremes: cuts at those roots of all choices
     /// of members at which the sides of the constraint are equal.
-    fn add_choices(&mut self, owner: u8, choices: &Choices<'_, '_, R>) -> Result<(), Error> {
+    fn add_choices(&mut self, owner: u8, choices: &Choices<'_, '_, R>) -> Option<()> {
         let [low, mut end] = self.ends;
         for curve in choices.curves() {
             let equal = |t: R| curve.is_near_zero(t) && choices.is_near_zero(t);
@@ -195,11 +197,11 @@ impl<R: Real> Cut<R> {
             end = *at;
         }
         self.begin(owner, choices.comparison(), holds_between(low, end));
-        Ok(())
+        Some(())
     }
 
-    /// As [`Cut::add`], for a constraint that is not a single curve. Without a closed form
-    /// it may hold or fail anywhere.
+    /// As [`Cut::add`], for a constraint that is not a single curve; `None` also if it has no
+    /// closed form.
     #[inline(never)]
     fn add_without_curve(
         &mut self,
@@ -207,20 +209,39 @@ impl<R: Real> Cut<R> {
         along: Along<'_, '_, R>,
         nodes: &[Node],
         constraint: &Constraint,
-    ) -> Result<(), Error> {
-        match Choices::new(along, nodes, constraint) {
-            Some(choices) => self.add_choices(owner, &choices),
-            None => {
-                self.first.hold |= bit(owner);
-                self.first.fail |= bit(owner);
-                Ok(())
-            }
-        }
+    ) -> Option<()> {
+        self.add_choices(owner, &Choices::new(along, nodes, constraint)?)
     }
 
-    /// Inserts a root, keeping the order.
-    fn insert(&mut self, owner: u8, at: R, then_holds: bool) -> Result<(), Error> {
-        const FULL: Error = Error::CapacityExceeded("intervals of a region");
+    /// Notes that a constraint may hold or fail anywhere, and none of its roots.
+    fn add_unknown(&mut self, owner: u8) {
+        self.first.hold |= bit(owner);
+        self.first.fail |= bit(owner);
+        let mut kept = 0;
+        for index in 0..self.roots.len() {
+            let (Some(at), Some(root)) = (
+                self.breaks.get(index).copied(),
+                self.roots.get(index).copied(),
+            ) else {
+                break;
+            };
+            if root.owner() == owner {
+                continue;
+            }
+            if let (Some(to), Some(own)) = (self.breaks.get_mut(kept), self.roots.get_mut(kept)) {
+                (*to, *own) = (at, root);
+            }
+            kept += 1;
+        }
+        self.breaks.truncate(kept);
+        self.roots.truncate(kept);
+    }
+
+    /// Inserts a root, keeping the order; `None` if there is no room for it.
+    fn insert(&mut self, owner: u8, at: R, then_holds: bool) -> Option<()> {
+        if self.breaks.is_full() {
+            return None;
+        }
         let (mut at, mut root) = (at, Root::new(owner, then_holds));
         for (place, other) in self.breaks.iter_mut().zip(&mut self.roots) {
             if at < *place {
@@ -228,13 +249,13 @@ impl<R: Real> Cut<R> {
                 core::mem::swap(other, &mut root);
             }
         }
-        self.breaks.push(at).map_err(|_| FULL)?;
-        self.roots.push(root).map_err(|_| FULL)
+        self.breaks.push(at).ok()?;
+        self.roots.push(root).ok()
     }
 
     /// Sets `set` to where a formula holds.
     #[inline(never)]
-    fn write(&self, formula: &Formula, set: &mut IntervalSet<R>) -> Result<(), Error> {
+    fn write(&self, formula: &Formula, set: &mut IntervalSet<R>) {
         // Most regions are conjunctions: all bits set is all there is to know.
         let all = formula.conjunction();
         let truth = |masks: Masks| match all {
@@ -262,9 +283,9 @@ impl<R: Real> Cut<R> {
             let here = truth(masks.with(owners, self.admit_equal));
             masks = masks.with(owners, then_hold);
             let goes_on = at < high;
-            builder.step(at, here, goes_on && truth(masks))?;
+            builder.step(at, here, goes_on && truth(masks));
             if !goes_on {
-                return Ok(());
+                return;
             }
             at = next.map_or(high, |(place, _)| *place);
         }
@@ -272,5 +293,5 @@ impl<R: Real> Cut<R> {
 }
 
 fn middle<R: Real>(a: R, b: R) -> R {
-    a + (b - a) * R::from_f64(0.5)
+    a.towards(b, R::from_f64(0.5))
 }

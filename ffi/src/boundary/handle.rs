@@ -4,7 +4,7 @@ use crate::boundary::pointer;
 use crate::boundary::status::{
     CRITREG_BUSY, CRITREG_OK, Failure, Fallible, Message, critreg_status, status_of,
 };
-use core::cell::{Cell, RefCell};
+use core::cell::{Cell, UnsafeCell};
 
 /// A handle carries a seal that depends on its kind and address, so that memory
 /// that is no handle, was retired or was moved is refused.
@@ -85,25 +85,33 @@ pub(crate) unsafe fn read<H: Handle>(
 
 /// What the calls that change a handle borrow, one at a time, and the words about the last
 /// one that failed.
+///
+/// That it is borrowed is a flag and nothing on the stack, so that a call which a `longjmp`
+/// out of a callback cut off leaves nothing to be cleaned up but that.
 pub(crate) struct Exclusive<T> {
-    inner: RefCell<T>,
+    inner: UnsafeCell<T>,
+    busy: Cell<bool>,
     message: Cell<Option<Failure>>,
 }
 
 impl<T> Exclusive<T> {
     pub(crate) fn new(inner: T) -> Exclusive<T> {
         Exclusive {
-            inner: RefCell::new(inner),
+            inner: UnsafeCell::new(inner),
+            busy: Cell::new(false),
             message: Cell::new(None),
         }
     }
 
     /// Runs a call, unless another one runs already, from which a callback calls back.
     pub(crate) fn call(&self, body: impl FnOnce(&mut T) -> Fallible) -> critreg_status {
-        let Ok(mut inner) = self.inner.try_borrow_mut() else {
+        if self.busy.replace(true) {
             return CRITREG_BUSY;
-        };
-        match body(&mut inner) {
+        }
+        // SAFETY: no other call runs, which the flag tells, so nothing else refers to it.
+        let ended = body(unsafe { &mut *self.inner.get() });
+        self.busy.set(false);
+        match ended {
             Ok(()) => CRITREG_OK,
             Err(failure) => {
                 self.message.set(Some(failure));
@@ -114,10 +122,21 @@ impl<T> Exclusive<T> {
 
     /// Lends what calls borrow, unless one runs already.
     pub(crate) fn borrow<R>(&self, body: impl FnOnce(&mut T) -> R) -> Option<R> {
-        self.inner
-            .try_borrow_mut()
-            .ok()
-            .map(|mut inner| body(&mut inner))
+        if self.busy.replace(true) {
+            return None;
+        }
+        // SAFETY: as for `call`.
+        let given = body(unsafe { &mut *self.inner.get() });
+        self.busy.set(false);
+        Some(given)
+    }
+
+    /// Takes back what a call borrowed that was cut off.
+    ///
+    /// # Safety
+    /// No call runs.
+    pub(crate) unsafe fn recover(&self) {
+        self.busy.set(false);
     }
 
     /// The words about the last call that failed.

@@ -92,8 +92,9 @@ pub struct critreg_config {
     /// CRITREG_ALGORITHM1 draws itself (K of the thesis), beside its manual ones.
     /// Default 100.
     pub calls: u32,
-    /// CRITREG_VERSION_SPACE: how many of these calls, the last ones, are about
-    /// draws from the region, to certify it. Default 10.
+    /// CRITREG_VERSION_SPACE: how many draws from the region certify it, with the last
+    /// calls. With noise a draw takes several calls, of which they get a quarter of all at
+    /// most. Default 10.
     pub certifying: u32,
     /// CRITREG_VERSION_SPACE: problem instances to have room for, at least 1.
     /// Learning from more returns CRITREG_CAPACITY_EXCEEDED. Default

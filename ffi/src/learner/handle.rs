@@ -13,6 +13,7 @@ use core::ffi::c_void;
 use critreg_core::Error;
 use critreg_core::domain::Domain;
 use critreg_core::learn::Problem;
+use critreg_core::region::Region;
 
 /// A learner. It lies at the start of the memory it was made in.
 pub struct critreg_learner {
@@ -72,14 +73,17 @@ impl Inner {
         // SAFETY: the region's part is reserved for the handle; the header forbids to
         // use the handle while a function runs that may change the learner.
         unsafe {
+            let copy = |own: &mut Region| {
+                own.copy_from(region);
+                Ok(())
+            };
             critreg_region::put(
                 self.region,
                 domain,
-                region,
                 self.precision,
-                support,
-                quality,
-            )
+                (support, quality),
+                copy,
+            )?;
         };
         Ok(self.region)
     }

@@ -1,5 +1,6 @@
 //! Asking and telling.
 
+use crate::boundary::handle;
 use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::status::{Failure, Fallible, critreg_status, stop_unless_ok};
 use crate::learner::handle::{Inner, critreg_learner, problem, with_learner};
@@ -13,7 +14,9 @@ use critreg_core::region::Theta;
 /// Whatever can tell whether an action works: a simulator, a motion planner, a
 /// robot.
 ///
-/// It must return: no longjmp(), no C++ exception may leave it. It may not touch
+/// It must return: no longjmp(), no C++ exception may leave it. A handle that was left by a
+/// longjmp() all the same answers CRITREG_BUSY until critreg_learner_recover(); a C++
+/// exception ends the program, or does worse. It may not touch
 /// the memory of the learner, nor call functions on it other than those that take
 /// it as const; the others return CRITREG_BUSY.
 ///
@@ -100,6 +103,23 @@ pub unsafe extern "C" fn critreg_learn_region(
             if let Some(output) = output {
                 output.write(learned);
             }
+            Ok(())
+        })
+    }
+}
+
+/// Makes a learner usable again that answers CRITREG_BUSY because a callback was left by
+/// longjmp(), which it must not be. The sample that was being tried stays to be tried; all
+/// that was told before is kept. A learner that is not busy stays as it is.
+///
+/// @param learner The learner. No call on it may be running, so this is not for callbacks.
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_learner_recover(learner: *mut critreg_learner) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        handle::read(learner.cast_const(), |handle: &critreg_learner| {
+            handle.inner.recover();
             Ok(())
         })
     }

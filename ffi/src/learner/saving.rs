@@ -130,8 +130,8 @@ pub unsafe extern "C" fn critreg_learner_journal(
 /// damaged and left out; cut it off before anything is appended.
 /// @return CRITREG_MISMATCH for a record of another domain, instances, configuration or
 /// number of forms, CRITREG_CORRUPT if one is missing before it,
-/// CRITREG_CAPACITY_EXCEEDED if there is no room for it: those before were told then;
-/// CRITREG_OUT_OF_SEQUENCE if the learner is not fresh; CRITREG_INVALID_ARGUMENT,
+/// CRITREG_CAPACITY_EXCEEDED if there is no room for it, CRITREG_OUT_OF_SEQUENCE if the
+/// learner is not fresh: in all these cases nothing is told; CRITREG_INVALID_ARGUMENT,
 /// CRITREG_NOT_FINITE, CRITREG_BUSY, CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
 /// CRITREG_NOT_A_HANDLE.
 #[unsafe(no_mangle)]

@@ -103,7 +103,7 @@ pub const CRITREG_NO_REASON: u32 = 0xFFFF;
 /// Runs the controller of an operator in the program's simulator.
 ///
 /// This and the other callbacks of a planner must return: no longjmp(), no C++
-/// exception may leave them. They may not touch the memory of the planner, nor call
+/// exception may leave them; see critreg_planner_recover(). They may not touch the memory of the planner, nor call
 /// functions on it other than those that take it as const; the others return
 /// CRITREG_BUSY. If one returns anything but CRITREG_OK, planning stops and
 /// critreg_plan() returns that.

@@ -23,7 +23,7 @@ pub struct critreg_planner {
     /// What stood in the way most often, as skills say it.
     pub(crate) words: Words,
     problem: &'static Problem<'static>,
-    inner: Exclusive<Inner>,
+    pub(crate) inner: Exclusive<Inner>,
 }
 
 /// What a call on a planner borrows.

@@ -90,6 +90,23 @@ pub unsafe extern "C" fn critreg_plan(
     }
 }
 
+/// Makes a planner usable again that answers CRITREG_BUSY because a callback was left by
+/// longjmp(), which it must not be. It has no plan then; plan again. A planner that is not
+/// busy stays as it is.
+///
+/// @param planner The planner. No call on it may be running, so this is not for callbacks.
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_planner_recover(planner: *mut critreg_planner) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for both.
+    unsafe {
+        handle::read(planner.cast_const(), |handle: &critreg_planner| {
+            handle.inner.recover();
+            Ok(())
+        })
+    }
+}
+
 fn plan(
     handle: &critreg_planner,
     inner: &mut Inner,

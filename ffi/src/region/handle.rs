@@ -41,19 +41,21 @@ unsafe impl Handle for critreg_region {
 }
 
 impl critreg_region {
-    /// Writes a handle with a copy of a region, field by field, because it is large; what
-    /// lay there before is lost.
+    /// Writes a handle with a region that is made in place, field by field, because it is
+    /// large; what lay there before is lost.
+    ///
+    /// # Errors
+    /// Those of `make`; then there is no handle.
     ///
     /// # Safety
     /// As for [`handle::put`].
     pub(crate) unsafe fn put(
         place: *mut critreg_region,
         domain: &'static Domain<'static>,
-        region: &Region,
         precision: Precision,
-        support: &[Evidence],
-        quality: u32,
-    ) {
+        (support, quality): (&[Evidence], u32),
+        make: impl FnOnce(&mut Region) -> Fallible,
+    ) -> Fallible {
         // SAFETY: by this function's contract; the fields lie inside of the handle, and it
         // is whole when it is sealed.
         unsafe {
@@ -63,12 +65,13 @@ impl critreg_region {
             (&raw mut (*place).quality).write(quality);
             (&raw mut (*place).region).write(Region::default());
             (&raw mut (*place).evidence).write([Evidence::BLANK; MAX_CONSTRAINTS]);
-            (*place).region.copy_from(region);
+            make(&mut (*place).region)?;
             for (slot, own) in (*place).evidence.iter_mut().zip(support) {
                 *slot = *own;
             }
             handle::seal(place);
         }
+        Ok(())
     }
 
     /// What supports a constraint, if that is known.

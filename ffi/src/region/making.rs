@@ -4,14 +4,14 @@ use crate::boundary::handle;
 use crate::boundary::limits::CRITREG_DOMAIN_TEXT_MAX;
 use crate::boundary::memory::ALIGNMENT;
 use crate::boundary::pointer::{self, Output};
-use crate::boundary::precision::Precision;
+use crate::boundary::precision::{Precision, in_precision};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::learner::quality::CRITREG_NO_QUALITY;
 use crate::region::handle::critreg_region;
 use crate::region::layout::RegionLayout;
 use core::ffi::{c_char, c_void};
 use critreg_core::Error;
-use critreg_core::region::{Region, SavedRegion};
+use critreg_core::region::SavedRegion;
 
 /// Longest region text in bytes, with its NUL: what saved bytes can hold.
 pub(crate) const REGION_TEXT_MAX: usize = 1 << 16;
@@ -65,7 +65,14 @@ pub unsafe extern "C" fn critreg_region_parse(
         })
     };
     // SAFETY: as above.
-    status_of(texts.and_then(|(d, t)| unsafe { make(memory.cast(), memory_len, d, t, region) }))
+    status_of(texts.and_then(|(domain, text)| unsafe {
+        let written = Written {
+            domain,
+            text,
+            precision: Precision::DEFAULT,
+        };
+        make(memory.cast(), memory_len, &written, region)
+    }))
 }
 
 /// Makes a region from bytes that critreg_region_save() wrote, in memory of the
@@ -77,7 +84,9 @@ pub unsafe extern "C" fn critreg_region_parse(
 /// @param len How many there are.
 /// @param region Receives the handle, which lies at the start of the memory.
 /// @return CRITREG_CORRUPT if the bytes are damaged, incomplete or of an unknown
-/// version; and as critreg_region_parse().
+/// version; CRITREG_INVALID_ARGUMENT if the region computes with a precision that the
+/// library was built without, CRITREG_NOT_FINITE if that cannot hold its numbers; and as
+/// critreg_region_parse().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn critreg_region_load(
     memory: *mut c_void,
@@ -93,11 +102,22 @@ pub unsafe extern "C" fn critreg_region_load(
         if saved.domain_text.len() >= CRITREG_DOMAIN_TEXT_MAX {
             return Err(Error::CapacityExceeded("the domain text is too long").into());
         }
-        let (domain, text) = (saved.domain_text, saved.region_text);
+        let written = Written {
+            domain: saved.domain_text,
+            text: saved.region_text,
+            precision: Precision::new(saved.bits.into())?,
+        };
         // SAFETY: as above.
-        unsafe { make(memory.cast(), memory_len, domain, text, region) }
+        unsafe { make(memory.cast(), memory_len, &written, region) }
     });
     status_of(loaded)
+}
+
+/// What a region is made from.
+struct Written<'t> {
+    domain: &'t str,
+    text: &'t str,
+    precision: Precision,
 }
 
 /// # Safety
@@ -106,8 +126,7 @@ pub unsafe extern "C" fn critreg_region_load(
 unsafe fn make(
     memory: *mut u8,
     memory_len: usize,
-    domain_text: &str,
-    text: &str,
+    written: &Written<'_>,
     output: *mut *mut critreg_region,
 ) -> Fallible {
     pointer::check(memory.cast::<u64>(), "memory")?;
@@ -121,16 +140,13 @@ unsafe fn make(
         let place = layout.handle.place(memory);
         // If this fails, a region that was here before is one no more.
         handle::retire(place);
-        let domain = layout.domain.put(memory, domain_text)?;
-        let region = Region::parse(domain, text)?;
-        critreg_region::put(
-            place,
-            domain,
-            &region,
-            Precision::DEFAULT,
-            &[],
-            CRITREG_NO_QUALITY,
-        );
+        let domain = layout.domain.put(memory, written.domain)?;
+        let precision = written.precision;
+        critreg_region::put(place, domain, precision, (&[], CRITREG_NO_QUALITY), |own| {
+            own.read(domain, written.text)?;
+            in_precision!(precision, R => own.check_precision::<R>(domain)?);
+            Ok(())
+        })?;
         output.write(place);
     }
     Ok(())

@@ -47,8 +47,9 @@ pub unsafe extern "C" fn critreg_region_contains(
 ///
 /// Whether the ends belong to the set, which depends on < and <= in the
 /// constraints, is not told: no sampler can notice. Where a constraint has no
-/// closed form (a turn by the parameter, a sum of two distances) the set is too
-/// large rather than too small; critreg_sample_region() is right all the same.
+/// closed form (a turn by the parameter, a sum of two distances), or there are more
+/// than CRITREG_MAX_INTERVALS of them, the set is too large rather than too small;
+/// critreg_sample_region() is right all the same.
 ///
 /// @param region The region of an action with one parameter.
 /// @param instance The instance: one number per attribute.

@@ -2,13 +2,14 @@
 
 use crate::boundary::handle;
 use crate::boundary::pointer::Output;
+use crate::boundary::precision::in_precision;
 use crate::boundary::status::critreg_status;
 use crate::boundary::text;
 use crate::region::handle::critreg_region;
 use core::ffi::c_char;
 
-/// Writes a region with its domain as bytes: versioned, checksummed, the same on
-/// every machine.
+/// Writes a region with its domain and precision as bytes: versioned, checksummed, the same
+/// on every machine.
 ///
 /// @param region The region.
 /// @param bytes Receives the bytes.
@@ -29,7 +30,9 @@ pub unsafe extern "C" fn critreg_region_save(
         // SAFETY: the header makes it the caller's promise.
         unsafe {
             text::write_bytes(length, bytes, len, needed, |bytes| {
-                Ok(handle.region.save(handle.domain, bytes)?)
+                Ok(in_precision!(handle.precision, R => {
+                    handle.region.save::<R>(handle.domain, bytes)?
+                }))
             })
         }
     };

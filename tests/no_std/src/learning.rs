@@ -49,7 +49,7 @@ fn run(text: &str, seed: u64) -> Result<bool, Error> {
     if let Some(text) = buffer.as_str() {
         learned = Region::parse(&domain, text)?;
     }
-    let used = learned.save(&domain, &mut bytes)?;
+    let used = learned.save::<f64>(&domain, &mut bytes)?;
     let saved = SavedRegion::read(bytes.get(..used).unwrap_or(&[]))?;
     let region = Region::parse(&domain, saved.region_text)?;
     let theta = region.sample::<f64>(&domain, task.initial.values(), &mut rng)?;

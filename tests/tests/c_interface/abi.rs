@@ -108,6 +108,11 @@ fn wrong_callbacks() {
 }
 
 #[test]
+fn callbacks_that_are_left() {
+    passes("left_callbacks", &["left_callbacks.c"]);
+}
+
+#[test]
 fn wrong_regions() {
     passes("misuse_region", &["misuse_region.c"]);
 }
@@ -165,6 +170,17 @@ fn several_questions_at_once() {
 #[test]
 fn learning_with_float() {
     passes("precision", &["precision.c"]);
+}
+
+#[test]
+fn the_stack_that_functions_take() {
+    let sources = [root().join("tests/c/stack.c")];
+    run(&mut Command::new(compile("stack", &sources, Language::C99)));
+}
+
+#[test]
+fn two_threads_read_the_same_handles() {
+    passes("threads", &["threads.c"]);
 }
 
 #[test]

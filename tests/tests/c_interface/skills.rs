@@ -48,6 +48,7 @@ fn of_the_core() -> String {
         sums: usize::MAX,
         observations: 256,
         instances: TRAINING,
+        questions: 16,
         steps: 2,
     });
     let mut tables = Box::<TrainingRoom<TRAINING, MAX_OPERATORS>>::default();

@@ -78,7 +78,7 @@ pub(crate) fn compile_with(
         // What follows is no source file.
         .args(["-x", "none"])
         .arg(library)
-        .args(["-lm", "-o"])
+        .args(["-lm", "-lpthread", "-o"])
         .arg(&program);
     run(&mut command);
     program

@@ -2,9 +2,12 @@
 
 mod actions;
 mod bodies;
+mod damage;
 mod growing;
+mod large_numbers;
 mod learners;
 mod membership;
+mod noise;
 mod observing;
 mod proposals;
 mod questions;

@@ -4,8 +4,8 @@
 use critreg::Error;
 use critreg::domain::{Dimension, Domain, Extreme, Node, NodeId, PointSet, Scene};
 use critreg::grammar::{Comparison, Features};
-use critreg::random::generator;
-use critreg::region::{Interval, Region, SavedRegion};
+use critreg::random::{generator, uniform_in};
+use critreg::region::{Intersection, Interval, Part, Region, SavedRegion};
 use critreg_tests::by_hand::{
     ABSENT, Constraint, Length, MOVED, SETTLED, Said, TEXT, World, buttons, distance, obstacles,
 };
@@ -165,7 +165,7 @@ proptest! {
         let written = text::of_region(&domain, &region);
         prop_assert_eq!(&Region::parse(&domain, &written).expect(&written), &region);
         let mut bytes = vec![0; region.saved_len(&domain)];
-        region.save(&domain, &mut bytes).unwrap();
+        region.save::<f64>(&domain, &mut bytes).unwrap();
         let saved = SavedRegion::read(&bytes).unwrap();
         let again = Domain::parse(saved.domain_text).unwrap();
         prop_assert_eq!(&Region::parse(&again, saved.region_text).unwrap(), &region);
@@ -254,7 +254,7 @@ fn one_region_serves_any_number_of_members() {
 }
 
 #[test]
-fn more_ends_than_there_is_room_for_are_an_error() {
+fn more_ends_than_there_is_room_for_make_a_larger_set() {
     let domain = Domain::parse(POSTS).unwrap();
     let rings = |count: i32| -> Vec<String> {
         let radius = |i: i32| f64::from(i) / 10.0;
@@ -264,10 +264,20 @@ fn more_ends_than_there_is_room_for_are_an_error() {
     // Two ends for each of six posts and each ring, and two of the line.
     let region = |count| Region::parse(&domain, &rings(count).join(" or ")).unwrap();
     let instance = posts(&[0.9, 2.5, 4.1, 5.7, 7.3, 8.9]);
-    let (five, six) = (region(5), region(6));
-    assert!(five.ground::<f64>(&domain, &instance).is_ok());
-    let full = six.ground::<f64>(&domain, &instance).err();
-    assert!(matches!(full, Some(Error::CapacityExceeded(_))), "{full:?}");
+    for (count, exact) in [(5, true), (6, false)] {
+        let region = region(count);
+        let grounded = region.ground::<f64>(&domain, &instance).unwrap();
+        let set = grounded.intervals().unwrap();
+        assert_eq!(set.is_exact(), exact);
+        // The smallest ring decides.
+        for step in 0..990 {
+            let x = f64::from(step) / 100.0 + 0.003;
+            let nearest = [0.9, 2.5, 4.1, 5.7, 7.3, 8.9].map(|post: f64| (post - x).abs());
+            let inside = nearest.iter().all(|distance| *distance > 0.1);
+            assert_eq!(grounded.contains(&[x]), Ok(inside), "{x}");
+            assert!(set.contains(x) || !inside, "{x}");
+        }
+    }
 }
 
 #[test]
@@ -470,4 +480,68 @@ fn the_grammar_speaks_of_extremes_only() {
         features.values()[features.rhs(1, Dimension::Length)][..2],
         nothing
     );
+}
+
+const ROW: &str = "
+    object post[6] { x: length, y: length }
+    parameter reach in [0, 12]: length
+    point hand = world + (reach, 0)
+";
+
+/// A region of so many constraints about the distance of every post has up to twelve roots
+/// for each: more than there is room for. It can be used all the same.
+#[test]
+fn a_region_with_many_roots_can_be_used() {
+    let domain = Domain::parse(ROW).unwrap();
+    let mut rng = generator(7);
+    for constraints in 1..=12 {
+        let bound = |index: usize| match index % 2 {
+            0 => format!("min(dist(hand, post)) >= {}", 0.3 + 0.02 * index as f64),
+            // Around each post a ring is left out.
+            _ => format!(
+                "(min(dist(hand, post)) >= {} or min(dist(hand, post)) <= {})",
+                0.2 + 0.001 * index as f64,
+                0.1 + 0.002 * index as f64
+            ),
+        };
+        let text: Vec<String> = (0..constraints).map(bound).collect();
+        let text = text.join(if constraints % 3 == 0 {
+            " or "
+        } else {
+            " and "
+        });
+        let region = Region::parse(&domain, &text).unwrap();
+        for _ in 0..10 {
+            let x = |post: usize| 0.5 + 2.0 * post as f64;
+            let posts = (0..6).flat_map(|post| [x(post), uniform_in(&mut rng, -0.2, 0.2)]);
+            let instance: Vec<f64> = posts.collect();
+            let grounded = region.ground::<f64>(&domain, &instance).unwrap();
+            let set = grounded.intervals().unwrap();
+            let mut some = false;
+            for step in 0..=600 {
+                let theta = [0.02 * f64::from(step)];
+                let inside = grounded.contains(&theta).unwrap();
+                assert_eq!(
+                    region.contains::<f64>(&domain, &instance, &theta),
+                    Ok(inside)
+                );
+                some |= inside;
+                assert!(!inside || set.contains(theta[0]), "{text}: {theta:?}");
+            }
+            assert!(!(some && grounded.is_proven_empty().unwrap()), "{text}");
+            match grounded.sample(&mut rng) {
+                Ok(drawn) => assert_eq!(grounded.contains(&drawn[..1]), Ok(true)),
+                Err(error) => assert!(!some && error == Error::EmptyRegion, "{text}: {error}"),
+            }
+            let part = Part {
+                region: &region,
+                domain: &domain,
+                instance: &instance,
+            };
+            let both = Intersection::<f64>::new(&[part, part])
+                .unwrap()
+                .sample(&mut rng);
+            assert_eq!(both.is_ok(), some, "{text}");
+        }
+    }
 }

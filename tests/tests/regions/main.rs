@@ -6,6 +6,7 @@ mod bodies_compound;
 mod bodies_sight;
 mod groups;
 mod intersection;
+mod large_numbers;
 mod margins;
 mod region;
 mod vertex_angle;

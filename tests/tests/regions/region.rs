@@ -118,14 +118,14 @@ proptest! {
         let domain = pick::domain();
         if let Some(region) = read(&domain, &text) {
             let mut bytes = vec![0; region.saved_len(&domain)];
-            let used = region.save(&domain, &mut bytes).unwrap();
+            let used = region.save::<f64>(&domain, &mut bytes).unwrap();
             prop_assert_eq!(used, bytes.len());
             let saved = SavedRegion::read(&bytes).unwrap();
             let other = Domain::parse(saved.domain_text).unwrap();
             prop_assert_eq!(&Region::parse(&other, saved.region_text).unwrap(), &region);
             drop(other);
             let short = bytes.len() - 1;
-            prop_assert!(region.save(&domain, &mut bytes.clone()[..short]).is_err());
+            prop_assert!(region.save::<f64>(&domain, &mut bytes.clone()[..short]).is_err());
             prop_assert!(SavedRegion::read(&bytes[..short]).is_err());
             let at = usize::from(flip.0) % bytes.len();
             bytes[at] ^= flip.1.max(1);

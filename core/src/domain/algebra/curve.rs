@@ -43,8 +43,9 @@ impl<R: Real> Curve<R> {
         if self.factor == R::ZERO {
             return self.line.slope.is_finite();
         }
-        let known = |v: &Line<R>| (v.at + v.slope).is_finite();
-        (self.line.slope + self.factor).is_finite()
+        // Roots are found by squares, of which an overflow would hide one.
+        let known = |v: &Line<R>| v.at.abs() + v.slope.abs() <= R::LARGE;
+        self.line.slope.abs() + self.factor.abs() <= R::LARGE
             && self.vector.iter().all(known)
             // The roots of an angle against a straight line have no closed form.
             && match self.bend {

@@ -44,7 +44,14 @@ impl<R: Real> Algebra<R> for R {
         if y == R::ZERO && z == R::ZERO {
             return x.abs();
         }
-        (x * x + y * y + z * z).sqrt()
+        let squares = x * x + y * y + z * z;
+        if squares.is_finite() {
+            return squares.sqrt();
+        }
+        // The squares are too large for a number; the length need not be.
+        let largest = x.abs().max(y.abs()).max(z.abs());
+        let [x, y, z] = [x / largest, y / largest, z / largest];
+        largest * (x * x + y * y + z * z).sqrt()
     }
     /// Well conditioned for every angle: the arc tangent of the lengths of the cross
     /// and the dot product.

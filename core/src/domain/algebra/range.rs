@@ -1,4 +1,7 @@
 //! Ranges: bounds of a term over a box of parameters.
+//!
+//! An end that became infinite because a number was too large is no bound: then nothing is
+//! known on that side. So an overflow never proves anything.
 
 use super::{Algebra, Arithmetic, Measure, dot};
 use crate::domain::node::Extreme;
@@ -14,6 +17,24 @@ pub struct Range<R> {
 }
 
 impl<R: Real> Range<R> {
+    /// The range between two ends, each with the numbers that it was computed from.
+    fn between<const N: usize>((low, lows): (R, [R; N]), (high, highs): (R, [R; N])) -> Range<R> {
+        let overflows =
+            |end: R, from: [R; N]| !end.is_finite() && from.iter().all(|own| own.is_finite());
+        Range {
+            low: if overflows(low, lows) {
+                -R::INFINITY
+            } else {
+                low
+            },
+            high: if overflows(high, highs) {
+                R::INFINITY
+            } else {
+                high
+            },
+        }
+    }
+
     /// The range of the distances from zero.
     fn magnitude(self) -> Range<R> {
         let (a, b) = (self.low.abs(), self.high.abs());
@@ -39,16 +60,16 @@ impl<R: Real> Arithmetic<R> for Range<R> {
         }
     }
     fn plus(self, other: Self) -> Self {
-        Range {
-            low: self.low + other.low,
-            high: self.high + other.high,
-        }
+        Range::between(
+            (self.low + other.low, [self.low, other.low]),
+            (self.high + other.high, [self.high, other.high]),
+        )
     }
     fn minus(self, other: Self) -> Self {
-        Range {
-            low: self.low - other.high,
-            high: self.high - other.low,
-        }
+        Range::between(
+            (self.low - other.high, [self.low, other.high]),
+            (self.high - other.low, [self.high, other.low]),
+        )
     }
     fn times(self, other: Self) -> Self {
         let (a, b) = (self.low * other.low, self.low * other.high);
@@ -62,10 +83,7 @@ impl<R: Real> Arithmetic<R> for Range<R> {
         }
     }
     fn widened(self, by: R) -> Self {
-        Range {
-            low: self.low - by,
-            high: self.high + by,
-        }
+        self.plus(Range { low: -by, high: by })
     }
 }
 
@@ -77,8 +95,7 @@ impl<R: Real> Measure<R> for Range<R> {
         }
     }
     fn lower(&mut self, by: R) {
-        self.low -= by;
-        self.high -= by;
+        *self = self.minus(Range::constant(by));
     }
 }
 
@@ -89,15 +106,15 @@ impl<R: Real> Algebra<R> for Range<R> {
     }
     fn norm(vector: [Self; 3]) -> Self {
         let [x, y, z] = vector.map(Range::magnitude);
-        Range {
-            low: R::norm([x.low, y.low, z.low]),
-            high: R::norm([x.high, y.high, z.high]),
-        }
+        let (low, high) = ([x.low, y.low, z.low], [x.high, y.high, z.high]);
+        Range::between((R::norm(low), low), (R::norm(high), high))
     }
     fn angle(a: [Self; 3], b: [Self; 3]) -> Self {
         let (dot, lengths) = (dot(a, b), Self::norm(a).times(Self::norm(b)));
         let Range { low, high } = lengths;
-        if low == R::ZERO {
+        // Too short, or too long to be told.
+        if !(low > R::ZERO && high.is_finite() && dot.low.is_finite() && dot.high.is_finite()) {
+            let low = R::ZERO;
             let high = R::from_f64(core::f64::consts::PI);
             return Range { low, high };
         }
@@ -157,6 +174,10 @@ impl<R: Real> Algebra<R> for Range<R> {
             *middle = [x, y, z];
             moved = moved.max(R::norm([dx, dy, dz]));
         }
-        Self::constant(value(middles)).widened(moved + slack)
+        let middle = value(middles);
+        match (moved + slack).is_finite() && middle.is_finite() {
+            true => Self::constant(middle).widened(moved + slack),
+            false => Self::unknown(),
+        }
     }
 }

@@ -99,7 +99,7 @@ impl ExpressionParser<'_, '_, '_> {
             {
                 return Err(lexer.fail_at(at, "the two sides of + or - have different dimensions"));
             }
-            left = self.intern(lexer, make(left, right))?;
+            left = self.join(lexer, make(left, right))?;
         }
     }
 
@@ -115,7 +115,7 @@ impl ExpressionParser<'_, '_, '_> {
             let right = self.factor(lexer, depth)?;
             product_dimension(self.dimension(left), self.dimension(right))
                 .map_err(|what| lexer.fail_at(at, what))?;
-            left = self.intern(lexer, Node::Product(left, right))?;
+            left = self.join(lexer, Node::Product(left, right))?;
         }
     }
 
@@ -133,10 +133,20 @@ impl ExpressionParser<'_, '_, '_> {
             }
             let zero = self.intern(lexer, Node::Number(0.0))?;
             let inside = self.factor(lexer, depth)?;
-            return self.intern(lexer, Node::Difference(zero, inside));
+            return self.join(lexer, Node::Difference(zero, inside));
         }
         let node = self.leaf(lexer)?;
         self.intern(lexer, node)
+    }
+
+    /// Interns a term made of two others. It is no deeper than what can be written: where
+    /// the left one was in brackets, it is written without.
+    fn join(&mut self, lexer: &mut Lexer<'_>, node: Node) -> Result<NodeId, Failed> {
+        let joined = self.intern(lexer, node)?;
+        match height(self.nodes, joined) <= MAX_DEPTH {
+            true => Ok(joined),
+            false => Err(lexer.fail(TOO_DEEP)),
+        }
     }
 
     /// Reads a number, a name, a call, or the extreme of one of these.
@@ -396,11 +406,25 @@ impl ExpressionParser<'_, '_, '_> {
     }
 }
 
+const TOO_DEEP: &str =
+    "the expression is nested deeper than 12; brackets and operators in a row count";
+
 fn deeper(lexer: &mut Lexer<'_>, depth: u8) -> Result<u8, Failed> {
     if depth < MAX_DEPTH {
         Ok(depth + 1)
     } else {
-        Err(lexer
-            .fail("the expression is nested deeper than 12; brackets and operators in a row count"))
+        Err(lexer.fail(TOO_DEEP))
+    }
+}
+
+/// How many operations stand one in the other. No term is much deeper than is allowed,
+/// because such a one is refused when it is made.
+fn height(nodes: &[Node], id: NodeId) -> u8 {
+    match nodes.get(usize::from(id.0)) {
+        Some(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
+            let [a, b] = [a, b].map(|own| height(nodes, *own));
+            a.max(b).saturating_add(1)
+        }
+        _ => 0,
     }
 }

@@ -11,29 +11,41 @@ impl Formula {
     /// # Errors
     /// [`Error::Syntax`] with line and column; [`Error::CapacityExceeded`].
     pub fn parse(domain: &Domain<'_>, text: &str) -> Result<Formula, Error> {
+        let mut formula = Formula::everything();
+        formula.read(domain, text)?;
+        Ok(formula)
+    }
+
+    /// As [`Formula::parse`], in place: formulas are large.
+    ///
+    /// # Errors
+    /// Those of [`Formula::parse`]. After one it is no formula of any use.
+    #[inline(never)]
+    pub(crate) fn read(&mut self, domain: &Domain<'_>, text: &str) -> Result<(), Error> {
+        self.clear();
         let mut parser = FormulaParser {
             domain,
             lexer: Lexer::new(text),
-            formula: Formula::everything(),
+            formula: self,
             depth: 0,
         };
         let read = parser.whole();
         parser.lexer.outcome(read)?;
-        if parser.formula.steps.as_slice() == [Step::True] {
-            return Ok(Formula::everything());
+        if self.steps.as_slice() == [Step::True] {
+            self.clear();
         }
-        Ok(parser.formula)
+        Ok(())
     }
 }
 
-struct FormulaParser<'d, 't, 's> {
+struct FormulaParser<'f, 'd, 't, 's> {
     domain: &'d Domain<'t>,
     lexer: Lexer<'s>,
-    formula: Formula,
+    formula: &'f mut Formula,
     depth: u8,
 }
 
-impl FormulaParser<'_, '_, '_> {
+impl FormulaParser<'_, '_, '_, '_> {
     fn whole(&mut self) -> Result<(), Failed> {
         self.disjunction()?;
         match self.lexer.token() {
@@ -217,6 +229,14 @@ mod tests {
             let deeper = read(&nested(last + 1)).unwrap_err();
             assert!(deeper.ends_with(&format!(": {error}")), "{deeper}");
         }
+        // What is written without brackets is counted as it is written.
+        let left = |n: usize| format!("(a{}){} < 1", " + b".repeat(n), " - b".repeat(n));
+        assert_eq!(
+            read(&left(6)),
+            Ok(format!("a{}{} < 1", " + b".repeat(6), " - b".repeat(6)))
+        );
+        let deeper = read(&left(7)).unwrap_err();
+        assert!(deeper.ends_with(&format!(": {EXPRESSION}")), "{deeper}");
         // Formulas and expressions are counted apart, and another error is not hidden.
         let both = brackets(last, &format!("{} < 1", brackets(last, "a")));
         assert!(read(&both).is_ok());

@@ -59,16 +59,22 @@ pub(super) struct BoundTable<'m, R> {
 impl<'m, R: Real> BoundTable<'m, R> {
     /// An empty table in borrowed memory.
     pub(super) fn new(lhs: &'m mut [Bounds<R>]) -> Self {
-        lhs.fill(Bounds::BLANK);
         BoundTable { lhs }
     }
 
-    /// The bounds, simple left sides first.
+    /// Forgets all bounds.
+    pub(super) fn clear(&mut self) {
+        self.lhs.fill(Bounds::BLANK);
+    }
+
+    /// The bounds, simple left sides first; but for those that a value made which was too
+    /// large for a number.
     pub(super) fn iter(&self) -> impl Iterator<Item = (NodeId, Bound<R>)> + '_ {
         let lhs = self.lhs.iter().enumerate();
         lhs.flat_map(|(lhs, bounds)| {
             let recorded = bounds.recorded.into_iter().flatten();
-            recorded.map(move |bound| (feature_id(lhs), bound))
+            let finite = recorded.filter(|bound| bound.value.is_finite());
+            finite.map(move |bound| (feature_id(lhs), bound))
         })
     }
 

@@ -140,6 +140,7 @@ impl<'m, R: Real> Algorithm1<'m, R> {
                 "Algorithm 1 learns about parameters, and the domain declares none",
             ));
         }
+        domain.check_precision::<R>()?;
         let memory = memory.cut(capacity)?;
         let features = Features::enumerate(domain, memory.features, memory.values)?;
         let hypotheses = Hypotheses::enumerate(&features, memory.pairs);
@@ -148,13 +149,8 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         for sample in [config.negative, config.positive].iter().flatten() {
             check_sample(domain, sample)?;
         }
-        let remaining = hypotheses.remaining();
         let mut learner = Algorithm1 {
-            report: Report {
-                enumeration: hypotheses.enumeration(),
-                remaining,
-                ..Report::default()
-            },
+            report: Report::default(),
             config,
             features,
             hypotheses,
@@ -168,7 +164,7 @@ impl<'m, R: Real> Algorithm1<'m, R> {
             points: PointSet::all(domain),
             region: Region::new(domain, Formula::everything()),
         };
-        learner.skip_absent();
+        learner.restart(domain);
         Ok(learner)
     }
 
@@ -299,6 +295,9 @@ impl<'m, R: Real> Algorithm1<'m, R> {
 
 impl<R: Real> Learner for Algorithm1<'_, R> {
     fn ask(&mut self, problem: &Problem<'_>) -> Result<Query, Error> {
+        if self.problem.is_none() {
+            problem.check_precision::<R>()?;
+        }
         self.problem.get_or_insert(problem.begun());
         problem.check_begun(self.problem)?;
         if let Some(pending) = &mut self.pending {
@@ -392,6 +391,22 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
             false => return Err(OTHER_SAMPLES),
         }
         Ok(())
+    }
+
+    fn restart(&mut self, domain: &Domain<'_>) {
+        self.hypotheses.restore();
+        self.bounds.clear();
+        self.observations.clear();
+        self.rng = generator(self.config.seed);
+        self.phase = Phase::Negative;
+        (self.pending, self.problem) = (None, None);
+        self.region.clear(domain);
+        self.report = Report {
+            enumeration: self.hypotheses.enumeration(),
+            remaining: self.hypotheses.remaining(),
+            ..Report::default()
+        };
+        self.skip_absent();
     }
 
     fn is_finished(&self) -> bool {

@@ -227,7 +227,8 @@ fn cut<R: Real>(
     for (missed, (end, count)) in ends.iter().zip(counts).enumerate() {
         excluded += count;
         let gain = wrong * (caution * f64::from(excluded) - missed as f64) - length;
-        if gain > best.map_or(0.0, |best| best.gain) {
+        // A distance of a group without members is infinite, which is no threshold.
+        if end.is_finite() && gain > best.map_or(0.0, |best| best.gain) {
             best = Some(Cut {
                 form: *form,
                 threshold: *end,

@@ -10,7 +10,8 @@ pub struct Config {
     pub seed: u64,
     /// How many outcomes are asked for.
     pub calls: u32,
-    /// How many of these, the last ones, are of draws from the region to certify it.
+    /// How many draws from the region certify it, with the last of these. With noise a draw
+    /// takes several, up to a quarter of all.
     pub certifying: u32,
     /// Share of questions that look for what nobody suspects, in `[0, 1]`.
     pub exploring: f64,

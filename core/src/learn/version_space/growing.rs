@@ -7,7 +7,7 @@
 
 use super::selection::Selection;
 use super::telling::Since;
-use super::{Report, VersionSpace, wanted};
+use super::{Report, VersionSpace, certifying_calls, wanted};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::Problem;
@@ -26,7 +26,11 @@ impl<R: Real> VersionSpace<'_, R> {
         match self.problem {
             Some(known) if known == begun => return Ok(()),
             Some(known) if !problem.continues(known) => return Err(CHANGED),
-            _ => self.forms.check_room(problem)?,
+            known => {
+                let known = known.map_or(0, |known| known.count as usize);
+                // Nothing fails behind this, so that a call that fails changes nothing.
+                self.forms.check(problem, known)?;
+            }
         }
         let (notes, told) = (self.since.notes(), self.observations.len());
         self.forget(problem.domain());
@@ -71,7 +75,7 @@ impl<R: Real> VersionSpace<'_, R> {
             .for_each(|own| own.lead = 0);
         self.since = Since::default();
         self.influence = false;
-        (self.certifying, self.certify_from) = (false, self.config.certifying);
+        (self.certifying, self.certify_from) = (false, certifying_calls(&self.config));
         self.region.clear(domain);
         self.evidence.clear();
         let Report {

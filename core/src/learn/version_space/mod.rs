@@ -206,7 +206,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             observations: Table::new(memory.observations, "observations"),
             rng: generator(config.seed),
             needed_lead: needed_lead(config.noise, config.tuning.beyond_doubt),
-            certify_from: config.certifying,
+            certify_from: certifying_calls(&config),
             approximations: memory.approximations,
             approximating: false,
             wanted: wanted(&config),
@@ -301,6 +301,17 @@ fn needed_lead(noise: f64, factor: f64) -> i32 {
         lead += 1;
     }
     lead
+}
+
+/// How many calls, the last ones, it takes to decide as many draws as are to certify the
+/// region, which with wrong answers are several for each; but no more than a share of all that
+/// are needed to learn, unless that was told.
+fn certifying_calls(config: &Config) -> u32 {
+    let lead = f64::from(needed_lead(config.noise, config.tuning.beyond_doubt));
+    let each = lead / (1.0 - 2.0 * config.noise);
+    let calls = libm::ceil(f64::from(config.certifying) * each);
+    let most = config.tuning.judging * f64::from(config.calls);
+    (calls.min(most) as u32).max(config.certifying)
 }
 
 impl<R: Real> Learner for VersionSpace<'_, R> {
@@ -417,6 +428,11 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         self.begin(problem)?;
         problem.instance(saved.query().instance)?;
         self.restore_trial(saved)
+    }
+
+    fn restart(&mut self, domain: &Domain<'_>) {
+        self.forget(domain);
+        (self.problem, self.unasked) = (None, None);
     }
 
     fn is_finished(&self) -> bool {

@@ -77,7 +77,9 @@ impl<R: Real> VersionSpace<'_, R> {
         // What was not asked cannot be asked again.
         let needed = if asked { self.needed_lead } else { 1 };
         let decided = trial.lead.abs() >= needed;
-        if !decided && outcome != Outcome::Unknown {
+        let goes_on = !decided && outcome != Outcome::Unknown;
+        // A sample that is still in doubt when the calls are used up stays undecided.
+        if goes_on && !(asked && self.is_out_of_calls()) {
             return Ok(Some(trial));
         }
         if asked || decided {

@@ -8,20 +8,22 @@ use crate::task::{GroundAtom, MAX_ARGUMENTS, ObjectId, PredicateId};
 use core::cmp::Ordering;
 use heapless::Vec;
 
-/// How many objects and facts are looked at, at most, in a pass over all actions.
-const MOST_WORK: u32 = 1 << 25;
+/// How many objects, facts and terms are looked at, at most, until all atoms are known, and
+/// again until all operators are: a fraction of a second.
+const MOST_WORK: u32 = 1 << 23;
 
 /// What was looked at.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Work(u32);
 
 impl Work {
-    fn spend(&mut self, count: usize) -> Result<(), Error> {
+    pub(super) fn spend(&mut self, count: usize) -> Result<(), Error> {
         let count = u32::try_from(count).unwrap_or(u32::MAX);
         self.0 = self.0.saturating_add(count).saturating_add(1);
         match self.0 > MOST_WORK {
             true => Err(Error::CapacityExceeded(
-                "work of grounding: more than 33 million objects and facts to look at",
+                "work of grounding: more than 8 million objects, facts and terms to look at; \
+                 give actions fewer parameters, or types and preconditions that leave fewer objects",
             )),
             false => Ok(()),
         }
@@ -140,6 +142,7 @@ impl<'t, const N: usize> Grounding<'_, 't, N> {
         let Some(node) = view.node(place) else {
             return Ok(true);
         };
+        self.work.spend(0)?;
         match node.kind {
             Kind::And | Kind::Or => {
                 let all = (node.kind == Kind::And) != negated;

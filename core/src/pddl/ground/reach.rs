@@ -1,7 +1,7 @@
 //! Which atoms can hold at all, and which negations are asked for.
 
 use super::Grounding;
-use super::choices::{Binding, Bound, Signed, Work};
+use super::choices::{Binding, Bound, Signed};
 use crate::error::Error;
 use crate::pddl::formula::{Kind, View};
 use crate::task::GroundAtom;
@@ -20,7 +20,6 @@ impl<'t, const N: usize> Grounding<'_, 't, N> {
         let mut before = None;
         while before != Some(self.atoms.as_slice().len()) {
             before = Some(self.atoms.as_slice().len());
-            self.work = Work::default();
             for action in domain.actions() {
                 let count = domain.parameters(action).len() as u8;
                 self.choices(action, &mut |own, binding| {
@@ -40,6 +39,7 @@ impl<'t, const N: usize> Grounding<'_, 't, N> {
         let Some(node) = view.node(place) else {
             return Ok(());
         };
+        self.work.spend(0)?;
         match node.kind {
             Kind::And => {
                 for child in view.children(place) {
@@ -95,7 +95,6 @@ impl<'t, const N: usize> Grounding<'_, 't, N> {
     /// if the atom can hold.
     pub(super) fn name_negations(&mut self) -> Result<(), Error> {
         let domain = self.problem.domain();
-        self.work = Work::default();
         let mut name = |own: &mut Self, atom: GroundAtom, negated: bool| {
             if negated && own.atoms.singleton(&atom).is_some() {
                 own.atoms.insert(atom.negation())?;
@@ -126,6 +125,7 @@ impl<'t, const N: usize> Grounding<'_, 't, N> {
         let Some(node) = view.node(place) else {
             return Ok(());
         };
+        self.work.spend(0)?;
         match node.kind {
             Kind::And => {
                 for child in view.children(place) {
@@ -162,6 +162,7 @@ impl<'t, const N: usize> Grounding<'_, 't, N> {
         let Some(node) = view.node(place) else {
             return Ok(());
         };
+        self.work.spend(0)?;
         match node.kind {
             Kind::And | Kind::Or => {
                 for child in view.children(place) {

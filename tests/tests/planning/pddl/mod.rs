@@ -2,6 +2,7 @@
 //! against reading, and what is said about wrong texts.
 
 mod adl;
+mod effort;
 mod full;
 mod oracle;
 mod random;

@@ -36,7 +36,7 @@ use super::memory::{Capacity, Memory};
 use super::tuning::Tuning;
 use crate::domain::{
     Dependence, Dimension, Domain, MAX_PARAMETERS, Metric, Node, NodeId, PointSet, Quantity,
-    Sample as Point, Scene,
+    Sample as Point, Scene, held,
 };
 use crate::error::Error;
 use crate::geometry::Relation;
@@ -181,6 +181,7 @@ impl<'m, R: Real> Forms<'m, R> {
     /// # Errors
     /// [`Error::CapacityExceeded`] if there is no room for any.
     pub(super) fn enumerate(&mut self, domain: &Domain<'_>) -> Result<(), Error> {
+        domain.check_precision::<R>()?;
         let derived = 2 * (self.lefts.capacity() - self.lhs_room);
         self.features.fill(domain, COMPLEXITY, derived)?;
         self.has_bodies = !domain.bodies().is_empty();
@@ -198,13 +199,18 @@ impl<'m, R: Real> Forms<'m, R> {
         self.values.samples.clear();
     }
 
-    /// Whether there is room for the instances of a problem.
-    pub(super) fn check_room(&self, problem: &Problem<'_>) -> Result<(), Error> {
+    /// Whether there is room for the instances of a problem, and each makes a scene, but for
+    /// the first ones, of which that is known.
+    pub(super) fn check(&self, problem: &Problem<'_>, known: usize) -> Result<(), Error> {
         let needed = problem.count().checked_mul(self.values.rhs_count);
-        match needed.is_some_and(|n| n <= self.values.rhs.len()) {
-            true => Ok(()),
-            false => Err(Error::CapacityExceeded("problem instances")),
+        if needed.is_none_or(|n| n > self.values.rhs.len()) {
+            return Err(Error::CapacityExceeded("problem instances"));
         }
+        (known..problem.count()).try_for_each(|index| {
+            let points = PointSet::all(problem.domain());
+            let mut scene = Scene::<R>::blank(problem.domain(), problem.instance(index)?, points);
+            scene.place_points()
+        })
     }
 
     /// Evaluates the right sides in all instances and lays out the forms. There are no
@@ -213,7 +219,6 @@ impl<'m, R: Real> Forms<'m, R> {
     /// Right sides that do not vary, or vary as an earlier one does, would say
     /// nothing new: thresholds absorb the difference.
     pub(super) fn lay_out(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
-        self.check_room(problem)?;
         self.rhs_features.clear();
         self.fill_rows(problem, &mut |values, row| {
             for (slot, value) in row.iter_mut().zip(values) {
@@ -417,6 +422,10 @@ impl<'m, R: Real> Forms<'m, R> {
         lhs: &mut [R],
     ) -> Result<(), Error> {
         let instance = problem.instance(query.instance)?;
+        held::<R>(
+            query.theta.iter().copied(),
+            "a parameter is larger than any number of this precision",
+        )?;
         let points = PointSet::all(problem.domain());
         let mut scene = Scene::blank(problem.domain(), instance, points);
         scene.place_points()?;
