@@ -54,6 +54,15 @@ public:
         return Errors::give(complaint(domain), [] {});
     }
 
+    /** What is wrong with a configuration, if anything is. */
+    static Returned<void> check_config(const critreg_config &config) {
+        const Failure failure =
+            detail::complaint([&](char *words, std::size_t len, std::size_t *needed) {
+                return critreg_check_config(&config, words, len, needed);
+            });
+        return Errors::give(failure, [] {});
+    }
+
     /** How many bytes a learner takes; 0 for a wrong configuration. */
     [[nodiscard]] static std::size_t size(const critreg_config &config) noexcept {
         return critreg_learner_size(&config);

@@ -162,6 +162,48 @@ public:
         return Errors::give(failure, [&] { return inside != 0; });
     }
 
+    /** The same of many samples, one behind the other: writes 1 or 0 for each. Does not
+     *  allocate. */
+    Returned<void> contains(Numbers instance, Numbers thetas, Span<std::uint8_t> inside) const {
+        const Failure failure = detail::first(
+            fits(instance),
+            [&] {
+                return detail::fits(thetas.size(), inside.size() * parameter_count(), "thetas");
+            },
+            [&] {
+                return critreg_region_contains_many(handle(), instance.data(), thetas.data(),
+                                                    inside.size(), inside.data());
+            });
+        return Errors::give(failure, [] {});
+    }
+
+    /** For optimisers: writes for each constraint a value that is at most 0 where it holds, and
+     *  its gradient by the parameters, one behind the other. Does not allocate. */
+    Returned<void> margins(Numbers instance, Numbers theta, Room values, Room gradients) const {
+        const std::size_t count = constraints().size();
+        const Failure failure = detail::first(
+            fits(instance), [&] { return fits_theta(theta.size()); },
+            [&] { return detail::fits(values.size(), count, "values"); },
+            [&] {
+                return detail::fits(gradients.size(), count * parameter_count(), "gradients");
+            },
+            [&] {
+                return critreg_region_margins(handle(), instance.data(), theta.data(),
+                                              values.data(), gradients.data());
+            });
+        return Errors::give(failure, [] {});
+    }
+
+    /** The region as C that needs no library, in functions whose names begin with name. */
+    [[nodiscard]] Returned<std::string> to_c(const std::string &name) const {
+        std::string text;
+        const critreg_status status =
+            detail::fill_text(text, [&](char *into, std::size_t len, std::size_t *needed) {
+                return critreg_region_to_c(handle(), name.c_str(), into, len, needed);
+            });
+        return Errors::give(Failure(status), [&] { return std::move(text); });
+    }
+
     /** Whether it is proven that it has no parameters in an instance. Does not allocate. */
     [[nodiscard]] Returned<bool> is_empty(Numbers instance) const {
         std::int32_t empty = 0;
@@ -216,6 +258,22 @@ public:
         critreg_status status = CRITREG_OK;
         const Failure failure = draw(instance, rng, theta, status);
         return Errors::give(failure, [&] { return static_cast<Status>(status); });
+    }
+
+    /** Writes as many samples as find room, one behind the other; how many were drawn before
+     *  one was not found. Does not allocate. */
+    [[nodiscard]] Returned<std::size_t> sample_many(Numbers instance, Rng &rng,
+                                                    Room thetas) const {
+        const std::size_t numbers = parameter_count();
+        std::size_t drawn = 0;
+        critreg_status status = CRITREG_OK;
+        const Failure failure = detail::first(fits(instance), [&] {
+            status = critreg_sample_region_many(handle(), instance.data(),
+                                                numbers == 0 ? 0 : thetas.size() / numbers,
+                                                &rng.state, thetas.data(), &drawn);
+            return detail::found_none(status) ? CRITREG_OK : status;
+        });
+        return Errors::give(failure, [&] { return drawn; });
     }
 
     /** For functions of critreg.h. */

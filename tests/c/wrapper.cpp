@@ -66,6 +66,20 @@ static void views() {
     EXPECT_TRUE(!region.contains(std::vector<double>{1.0, 0.0}, {0.95}));
     EXPECT_TRUE(thrown([&] { (void)region.contains(array, {0.5, 0.5}); }) ==
                 Status::invalid_argument);
+    unsigned char inside[2] = {2, 2};
+    region.contains({1.0, 0.0}, {0.5, 0.95}, inside);
+    EXPECT_TRUE(inside[0] == 1 && inside[1] == 0);
+    std::vector<double> values(region.constraints().size()), gradients(values);
+    region.margins({1.0, 0.0}, {0.5}, values, gradients);
+    EXPECT_TRUE(values[0] < 0.0 && gradients[0] == 1.0);
+    EXPECT_TRUE(region.to_c("reach").find("reach_contains") != std::string::npos);
+    critreg::Rng many(3);
+    double drawn[5] = {9.0, 9.0, 9.0, 9.0, 9.0};
+    EXPECT_TRUE(region.sample_many({1.0, 0.0}, many, drawn) == 5 && drawn[4] <= 0.9);
+    critreg_config noisy = critreg::Learner::default_config();
+    noisy.noise = 0.5;
+    EXPECT_TRUE(thrown([&] { critreg::Learner::check_config(noisy); }) ==
+                Status::invalid_argument);
     EXPECT_TRUE(thrown([&] { (void)region.contains({1.0}, plain); }) == Status::invalid_argument);
     EXPECT_TRUE(thrown([&] { (void)region.contains({NAN, 0.0}, plain); }) == Status::not_finite);
 }

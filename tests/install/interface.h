@@ -74,14 +74,15 @@
 #define CRITREG_SUM_BYTES 24
 #define CRITREG_INSTANCE_BYTES 16
 #define CRITREG_STEP_BYTES 5888
-#define CRITREG_PLANNER_FIXED_BYTES 30592
+#define CRITREG_PLANNER_FIXED_BYTES 31648
 #define CRITREG_PLANNER_POINTERS 3168
 #define CRITREG_PLANNER_WORD_BYTES 1320
-#define CRITREG_OPERATOR_BYTES 92
+#define CRITREG_OPERATOR_BYTES 96
 #define CRITREG_NODE_BYTES 46
 #define CRITREG_FACT_BYTES 20
 #define CRITREG_PLAN_STEP_BYTES 136
 #define CRITREG_PLAN_STEP_POINTERS 13
+#define CRITREG_REASON_MAX 1024
 #define CRITREG_MAX_PARAMETERS 6
 #define CRITREG_MAX_CONSTRAINTS 32
 #define CRITREG_MAX_INTERVALS 33
@@ -147,10 +148,15 @@
 #define CRITREG_WHY_SAMPLES 8
 #define CRITREG_WHY_MEMORY 9
 #define CRITREG_WHY_STOPPED 10
+#define CRITREG_MAX_STATE_NUMBERS 64
+#define CRITREG_MAX_STATE_OBJECTS 32
+#define CRITREG_MAX_TRAINING_OPERATORS 512
+#define CRITREG_DEFAULT_SKILL_TEXTS 65536
 #define CRITREG_STICK_BUTTON_ANGLES 1
 typedef struct critreg_learner critreg_learner;
 typedef struct critreg_planner critreg_planner;
 typedef struct critreg_region critreg_region;
+typedef struct critreg_skills critreg_skills;
 typedef int32_t critreg_status;
 typedef struct critreg_report {
     uint32_t struct_size;
@@ -284,11 +290,12 @@ typedef critreg_status (*critreg_advise)(void *user_data,
                                          uint32_t *reason);
 typedef struct critreg_callbacks {
     uint32_t struct_size;
-    uint32_t reserved;
+    uint32_t prune;
     critreg_execute execute;
     critreg_holds holds;
     critreg_sample sample;
     critreg_advise advise;
+    struct critreg_skills *skills;
 } critreg_callbacks;
 typedef struct critreg_step {
     uint32_t struct_size;
@@ -318,6 +325,51 @@ typedef struct critreg_metrics {
     uint32_t main_reason;
     uint32_t repeated;
 } critreg_metrics;
+typedef struct critreg_training {
+    uint32_t struct_size;
+    uint32_t skill;
+    uint32_t skills;
+    uint32_t runs;
+} critreg_training;
+typedef critreg_status (*critreg_training_progress)(void *progress_data,
+                                                    const struct critreg_training *training);
+typedef struct critreg_skills_config {
+    uint32_t struct_size;
+    uint32_t state_len;
+    const struct critreg_config *learner;
+    uint32_t chained;
+    uint32_t budget;
+    uint32_t situations;
+    uint32_t states;
+    uint32_t situation_tasks;
+    uint32_t tasks;
+    uint32_t controllers;
+    uint32_t skills;
+    uint32_t texts;
+    uint32_t nodes;
+    uint32_t facts;
+    uint32_t runs;
+    uint32_t reserved;
+    critreg_training_progress progress;
+    void *progress_data;
+} critreg_skills_config;
+typedef struct critreg_skill_report {
+    uint32_t struct_size;
+    uint32_t finished;
+    uint32_t has_region;
+    uint32_t quality;
+    uint32_t why;
+    uint32_t tasks;
+    uint32_t situations;
+    uint32_t runs;
+    uint32_t calls;
+    uint32_t feasible;
+    uint32_t infeasible;
+    uint32_t certificate_draws;
+    uint32_t certificate_feasible;
+    uint32_t reserved;
+    double certificate_lower_bound;
+} critreg_skill_report;
 #define CRITREG_OK 0
 #define CRITREG_NULL_POINTER 1
 #define CRITREG_MISALIGNED 2
@@ -373,6 +425,7 @@ critreg_status critreg_learn_region(struct critreg_learner *learner,
                                     critreg_simulate simulate,
                                     void *user_data,
                                     const struct critreg_region **region);
+critreg_status critreg_learner_recover(struct critreg_learner *learner);
 critreg_status critreg_ask(struct critreg_learner *learner,
                            const double *instances,
                            size_t count,
@@ -517,6 +570,27 @@ critreg_status critreg_regions_are_empty(const struct critreg_region *const *reg
                                          const double *const *instances,
                                          size_t count,
                                          int32_t *empty);
+critreg_status critreg_region_contains_many(const struct critreg_region *region,
+                                            const double *instance,
+                                            const double *thetas,
+                                            size_t count,
+                                            uint8_t *inside);
+critreg_status critreg_sample_region_many(const struct critreg_region *region,
+                                          const double *instance,
+                                          size_t count,
+                                          struct critreg_rng *rng,
+                                          double *thetas,
+                                          size_t *drawn);
+critreg_status critreg_region_margins(const struct critreg_region *region,
+                                      const double *instance,
+                                      const double *theta,
+                                      double *values,
+                                      double *gradients);
+critreg_status critreg_region_to_c(const struct critreg_region *region,
+                                   const char *name,
+                                   char *text,
+                                   size_t len,
+                                   size_t *needed);
 struct critreg_rng critreg_rng_seed(uint64_t seed);
 critreg_status critreg_rng_uniform(struct critreg_rng *rng, double *number);
 critreg_status critreg_planner_config_init(struct critreg_planner_config *config,
@@ -545,6 +619,7 @@ critreg_status critreg_plan(struct critreg_planner *planner,
                             uint64_t seed,
                             void *user_data,
                             size_t *length);
+critreg_status critreg_planner_recover(struct critreg_planner *planner);
 critreg_status critreg_step_init(struct critreg_step *step, size_t size);
 critreg_status critreg_planner_step(struct critreg_planner *planner,
                                     size_t index,
@@ -564,7 +639,69 @@ critreg_status critreg_planner_failures(struct critreg_planner *planner,
 critreg_status critreg_planner_reasons(struct critreg_planner *planner,
                                        uint32_t reason,
                                        uint32_t *count);
+critreg_status critreg_planner_reason_text(const struct critreg_planner *planner,
+                                           char *text,
+                                           size_t len,
+                                           size_t *needed);
+critreg_status critreg_skills_config_init(struct critreg_skills_config *config,
+                                          size_t size);
+size_t critreg_skills_size(const struct critreg_skills_config *config);
+size_t critreg_skills_align(void);
+critreg_status critreg_skills_init(void *memory,
+                                   size_t memory_len,
+                                   const char *domain,
+                                   const char *layout,
+                                   const struct critreg_skills_config *config,
+                                   struct critreg_skills **skills);
+critreg_status critreg_skills_add_controller(struct critreg_skills *skills,
+                                             const char *name,
+                                             const char *actions,
+                                             const char *objects,
+                                             const double *ranges,
+                                             size_t count);
+critreg_status critreg_skills_add(struct critreg_skills *skills,
+                                  const char *controller,
+                                  const char *later,
+                                  const char *members,
+                                  const char *text);
+critreg_status critreg_skills_add_task(struct critreg_skills *skills,
+                                       const char *problem,
+                                       const double *initial,
+                                       size_t len);
+critreg_status critreg_skills_message(const struct critreg_skills *skills,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+critreg_status critreg_skills_learn(struct critreg_skills *skills,
+                                    const struct critreg_callbacks *callbacks,
+                                    void *user_data);
+critreg_status critreg_skill_report_init(struct critreg_skill_report *report,
+                                         size_t size);
+critreg_status critreg_skills_report(struct critreg_skills *skills,
+                                     size_t index,
+                                     struct critreg_skill_report *report);
+critreg_status critreg_skills_format(struct critreg_skills *skills,
+                                     size_t index,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
+critreg_status critreg_skills_domain(struct critreg_skills *skills,
+                                     size_t index,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
+critreg_status critreg_skills_save(struct critreg_skills *skills,
+                                   uint8_t *bytes,
+                                   size_t len,
+                                   size_t *needed);
+critreg_status critreg_skills_resume(struct critreg_skills *skills,
+                                     const uint8_t *bytes,
+                                     size_t len);
 critreg_status critreg_check_domain(const char *domain,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
+critreg_status critreg_check_config(const struct critreg_config *config,
                                     char *text,
                                     size_t len,
                                     size_t *needed);

@@ -28,6 +28,18 @@ class Regions(unittest.TestCase):
             self.assertEqual(list(self.region.contains_many(instance, thetas)), expected)
             self.assertTrue(any(expected) and not all(expected))
 
+    def test_margins(self):
+        for instance in INSTANCES:
+            for k in range(98):
+                theta = [k / 97]
+                values, gradients = self.region.margins(instance, theta)
+                inside = self.region.contains(instance, theta)
+                self.assertEqual(all(value <= 0.0 for value in values), inside)
+                self.assertEqual(len(gradients), len(values))
+
+    def test_c(self):
+        self.assertIn("int pick_contains(", self.region.to_c("pick"))
+
     def test_draws(self):
         rng, instance = critreg.Rng(7), INSTANCES[0]
         many = self.region.sample_many(instance, critreg.Rng(7), 50)

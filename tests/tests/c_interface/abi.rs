@@ -86,7 +86,8 @@ fn the_wrapper_for_cpp_compiles_without_exceptions() {
     )));
 }
 
-/// A function of C is one of C++, too, but for what only those need who lend memory.
+/// A function of C is one of C++, too, but for what only those need who lend memory, or leave
+/// callbacks by longjmp().
 #[test]
 fn the_wrapper_for_cpp_leaves_nothing_out() {
     let headers = fs::read_dir(root().join("include")).unwrap();
@@ -96,9 +97,10 @@ fn the_wrapper_for_cpp_leaves_nothing_out() {
     let text: String = wrappers
         .map(|path| fs::read_to_string(path).unwrap())
         .collect();
+    let of_c = |name: &String| name.ends_with("_align") || name.ends_with("_recover");
     let missing = declared()
         .into_iter()
-        .filter(|name| !name.ends_with("_align") && !text.contains(&format!("{name}(")));
+        .filter(|name| !of_c(name) && !text.contains(&format!("{name}(")));
     assert_eq!(missing.collect::<Vec<_>>(), Vec::<String>::new());
 }
 

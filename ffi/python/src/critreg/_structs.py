@@ -192,11 +192,12 @@ class CallbacksStruct(ctypes.Structure):
     """critreg_callbacks."""
 
     struct_size: uint32
-    reserved: uint32
+    prune: uint32
     execute: pointer
     holds: pointer
     sample: pointer
     advise: pointer
+    skills: pointer
 
 
 @_laid_out

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ctypes import addressof, byref, c_char_p, c_double, c_int32, c_size_t, c_uint32, c_void_p
-from ctypes import sizeof
+from ctypes import addressof, byref, c_char_p, c_double, c_int32, c_size_t, c_uint8, c_uint32
+from ctypes import c_void_p, sizeof
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Union
 
@@ -175,15 +175,25 @@ class Region:
         """The same of many samples, one a row."""
         place = vector(instance, self._instance_len, "instance")
         samples, count = matrix(thetas, self._parameters, "thetas")
-        contains, handle = library.critreg_region_contains, self._handle
-        inside = c_int32()
-        written, at = addressof(inside), addressof(samples)
-        answers = []
-        for _ in range(count):
-            check(contains(handle, place, at, written))
-            answers.append(inside.value == 1)
-            at += self._parameters * sizeof(c_double)
-        return flags_of(answers)
+        inside = (c_uint8 * count)()
+        check(
+            library.critreg_region_contains_many(self._handle, place, samples, count, inside)
+        )
+        return flags_of([answer == 1 for answer in inside])
+
+    def margins(self, instance: Vector, theta: Vector) -> tuple[list[float], Matrix]:
+        """For optimisers: of each constraint a value that is at most zero where it holds, and
+        the gradient of that by the parameters, one a row."""
+        place = vector(instance, self._instance_len, "instance")
+        sample = vector(theta, self._parameters, "theta")
+        count = len(self.constraints)
+        values, gradients = (c_double * count)(), (c_double * (count * self._parameters))()
+        check(library.critreg_region_margins(self._handle, place, sample, values, gradients))
+        return list(values), rows_of(gradients, self._parameters, count)
+
+    def to_c(self, name: str) -> str:
+        """The region as C that needs no library, in functions whose names begin with this."""
+        return text_of(library.critreg_region_to_c, self._handle, encoded(name))
 
     def sample(self, instance: Vector, rng: Rng) -> list[float]:
         """Parameters from the region in an instance, uniform.
