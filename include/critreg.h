@@ -43,10 +43,10 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     forms       observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            182000 bytes           35440 bytes
- *           4096           256            710672 bytes           47216 bytes
- *          10000           256           1400312 bytes           56056 bytes
- *          20000           256           2382808 bytes           71056 bytes
+ *           1024           128            183144 bytes           35448 bytes
+ *           4096           256            711816 bytes           47224 bytes
+ *          10000           256           1401456 bytes           56064 bytes
+ *          20000           256           2383952 bytes           71064 bytes
  *
  * Every further instance takes 1.5 * forms + 1400 bytes more at most, every further step
  * 16 * forms + 5888. On a small machine critreg_config.precision, critreg_config.tracked

@@ -139,6 +139,7 @@ static void print_sizes(void)
         config.observations = sizes[i].observations;
         config.tracked = sizes[i].tracked;
         config.sums = 0;
+        config.questions = 1;
         config.instances = TRAINING;
         print(sizes[i].key, (double)critreg_learner_size(&config));
     }

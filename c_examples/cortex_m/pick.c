@@ -53,6 +53,7 @@ static critreg_status learn(uint64_t seed, critreg_learner **learner,
     config.tracked = TRACKED;
     /* The simple forms say it all. */
     config.sums = 0;
+    config.questions = 1;
     TRY(critreg_learner_init(memory, sizeof memory, critreg_stick_button_domain(), &config,
                              learner));
     return critreg_learn_region(*learner, &instances[0][0], TRAINING,
