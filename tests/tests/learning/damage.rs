@@ -57,6 +57,7 @@ fn saved<L: Learner>(learner: &L, problem: &Problem<'_>) -> Vec<u8> {
 /// that does.
 fn survives<L: Learner>(learner: &mut L, problem: &Problem<'_>) {
     tell(learner, problem, 9);
+    learner.ask_more(problem).unwrap();
     let good = saved(learner, problem);
     assert_eq!(sealed(&good), good);
     let mut written = vec![0; journal_len(learner, problem, 0)];

@@ -381,15 +381,18 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         self.tell(problem, saved.outcome)
     }
 
-    fn reopen(&mut self, _: &Problem<'_>, _: Notes) -> Result<(), Error> {
+    fn reopen(&mut self, _: &Problem<'_>, notes: Notes) -> Result<(), Error> {
+        self.serial = notes.asked;
         Ok(())
     }
 
     fn restore(&mut self, problem: &Problem<'_>, saved: Trial) -> Result<(), Error> {
-        match self.ask(problem)? == *saved.query() {
-            true => self.pending = Some(saved),
-            false => return Err(OTHER_SAMPLES),
+        // It was counted when it was asked.
+        let serial = self.serial;
+        if self.ask(problem)? != *saved.query() {
+            return Err(OTHER_SAMPLES);
         }
+        (self.pending, self.serial) = (Some(saved), serial);
         Ok(())
     }
 
@@ -399,7 +402,7 @@ impl<R: Real> Learner for Algorithm1<'_, R> {
         self.observations.clear();
         self.rng = generator(self.config.seed);
         self.phase = Phase::Negative;
-        (self.pending, self.problem) = (None, None);
+        (self.pending, self.problem, self.serial) = (None, None, 0);
         self.region.clear(domain);
         self.report = Report {
             enumeration: self.hypotheses.enumeration(),

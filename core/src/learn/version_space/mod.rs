@@ -431,7 +431,10 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
     }
 
     fn restart(&mut self, domain: &Domain<'_>) {
+        self.trials.clear();
+        self.report.dropped = 0;
         self.forget(domain);
+        (self.serial, self.quiet) = (0, false);
         (self.problem, self.unasked) = (None, None);
     }
 
