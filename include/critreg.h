@@ -3345,14 +3345,16 @@ critreg_status critreg_region_margins(const struct critreg_region *region,
  * Writes a region as C99 that needs no library: a header with static inline functions,
  * for a robot on which there is no room for more.
  *
- *     int  pick_contains(instance, theta)    1 if the parameters are inside
- *     void pick_margins(instance, theta, values, gradients)
- *                                            as critreg_region_margins()
- *     int  pick_intervals(instance, ends)    lower and upper ends, up to
- *                                            2 * pick_MAX_INTERVALS numbers; how many
- *     int  pick_sample(instance, share, theta)
- *                                            a draw for a uniform share in [0, 1); 0 if
- *                                            nothing is inside
+ * ```text
+ * int  pick_contains(instance, theta)    1 if the parameters are inside
+ * void pick_margins(instance, theta, values, gradients)
+ *                                        as critreg_region_margins()
+ * int  pick_intervals(instance, ends)    lower and upper ends, up to
+ *                                        2 * pick_MAX_INTERVALS numbers; how many
+ * int  pick_sample(instance, share, theta)
+ *                                        a draw for a uniform share in [0, 1); 0 if
+ *                                        nothing is inside
+ * ```
  *
  * The last two are there for an action with one parameter whose constraints have a closed
  * form that can be written: those of coordinates and distances, not of angles of what
