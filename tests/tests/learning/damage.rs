@@ -1,12 +1,12 @@
 //! Saved bytes that are damaged, and such that only seem not to be: a learner takes all of
 //! them or nothing.
 
+use crate::shelf::saved;
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config};
 use critreg::learn::{
-    Algorithm1, Learner, Outcome, Problem, algorithm1, journal, journal_len, resume,
-    resume_journal, save, saved_len,
+    Algorithm1, Learner, Outcome, Problem, algorithm1, journal, journal_len, resume, resume_journal,
 };
 use critreg::region::{Region, SavedRegion};
 use critreg_tests::room::{Algorithm1Room, VersionSpaceRoom};
@@ -44,12 +44,6 @@ fn tell<L: Learner>(learner: &mut L, problem: &Problem<'_>, calls: usize) {
             .tell(problem, Outcome::from_feasible(works))
             .unwrap();
     }
-}
-
-fn saved<L: Learner>(learner: &L, problem: &Problem<'_>) -> Vec<u8> {
-    let mut bytes = vec![0; saved_len(learner, problem)];
-    save(learner, problem, &mut bytes).unwrap();
-    bytes
 }
 
 /// That damaged bytes change nothing: those of a run that a learner is put through, with

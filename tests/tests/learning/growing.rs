@@ -56,7 +56,7 @@ fn a_run_goes_on_with_more_calls_in_a_larger_memory() {
 fn only_appended_instances_are_the_same_problem() {
     let domain = Domain::parse(SHELF).unwrap();
     let shelves = shelves(1, INSTANCES);
-    let mut room = VersionSpaceRoom::new(Capacity {
+    let mut room = VersionSpaceRoom::<f64>::new(Capacity {
         instances: 8,
         ..Capacity::new(4096, 100)
     });

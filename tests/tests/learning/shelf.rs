@@ -1,7 +1,7 @@
 //! What the tests of runs learn about: a hand left of a cup and above a shelf.
 
 use critreg::learn::version_space::Capacity;
-use critreg::learn::{Learner, Outcome, Problem, Query, VersionSpace, save, saved_len};
+use critreg::learn::{Learner, Outcome, Problem, Query, save, saved_len};
 use critreg::random::{generator, uniform_in};
 use critreg_tests::room::VersionSpaceRoom;
 
@@ -37,7 +37,7 @@ pub(crate) fn fits(problem: &Problem<'_>, query: &Query) -> Outcome {
     Outcome::from_feasible(x <= cup_x - 0.25 && y >= shelf_y + 0.25)
 }
 
-pub(crate) fn saved(learner: &VersionSpace<'_, f64>, problem: &Problem<'_>) -> Vec<u8> {
+pub(crate) fn saved(learner: &impl Learner, problem: &Problem<'_>) -> Vec<u8> {
     let mut bytes = vec![0; saved_len(learner, problem)];
     assert_eq!(save(learner, problem, &mut bytes).unwrap(), bytes.len());
     bytes

@@ -369,7 +369,9 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         problem.domain().check_parameters(used)?;
         self.check_room()?;
         self.make_room(problem)?;
-        let trial = Trial::new(Question::new(0, own), Purpose::Told);
+        // It has no number: nobody waits for an answer.
+        let question = Question { id: 0, query: own };
+        let trial = Trial::new(question, Purpose::Told);
         self.take(problem, trial, outcome)?;
         Ok(())
     }

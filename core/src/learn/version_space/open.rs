@@ -49,7 +49,7 @@ impl<R: Real> VersionSpace<'_, R> {
             Some(known) => known,
             None if !self.has_place() => return Ok(None),
             None => match self.next_query(problem)? {
-                Some((query, purpose)) => Trial::new(Question::new(0, query), purpose),
+                Some((query, purpose)) => Trial::new(Question { id: 0, query }, purpose),
                 None => return Ok(None),
             },
         };
@@ -136,34 +136,25 @@ impl<R: Real> VersionSpace<'_, R> {
         let mut place = 0;
         while let Some(trial) = self.trials.as_slice().get(place).copied() {
             match trial.state {
-                State::Answered(outcome) => match self.take_asked(problem, trial, outcome)? {
-                    None => self.trials.remove(place),
-                    Some(left) => {
-                        let again = Trial {
-                            state: State::Again,
-                            ..left
-                        };
-                        if let Some(own) = self.trials.as_mut_slice().get_mut(place) {
-                            *own = again;
+                State::Answered(outcome) => {
+                    self.make_room(problem)?;
+                    let left = self.take(problem, trial, outcome)?;
+                    match (left, self.trials.as_mut_slice().get_mut(place)) {
+                        (Some(left), Some(own)) => {
+                            *own = Trial {
+                                state: State::Again,
+                                ..left
+                            };
+                            place += 1;
                         }
-                        place += 1;
+                        _ => self.trials.remove(place),
                     }
-                },
+                }
                 State::Open | State::Forgotten if !all => break,
                 _ => place += 1,
             }
         }
         Ok(())
-    }
-
-    fn take_asked(
-        &mut self,
-        problem: &Problem<'_>,
-        trial: Trial,
-        outcome: Outcome,
-    ) -> Result<Option<Trial>, Error> {
-        self.make_room(problem)?;
-        self.take(problem, trial, outcome)
     }
 
     /// The region is another one: draws from the old one that are on their way certify nothing.

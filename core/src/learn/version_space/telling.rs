@@ -128,7 +128,10 @@ impl<R: Real> VersionSpace<'_, R> {
             Purpose::Certify if !self.certifying => Purpose::Draw,
             purpose => purpose,
         };
-        let question = Question::new(0, saved.query());
+        let question = Question {
+            id: 0,
+            query: saved.query(),
+        };
         let trial = known.copied().unwrap_or(Trial::new(question, purpose));
         let trial = Trial { purpose, ..trial };
         let left = self.take(problem, trial, saved.outcome)?;

@@ -29,14 +29,18 @@ impl<R: Real> VersionSpace<'_, R> {
     /// [`Error::CapacityExceeded`] if there is none.
     pub(super) fn check_room(&self) -> Result<(), Error> {
         let taken = self.observations.len() + self.waiting();
-        // Half of what was not asked goes, or a little more.
-        let gain = match self.unasked {
-            None if self.not_asked() >= FEWEST => self.not_asked() / 4,
-            _ => 0,
-        };
-        match taken < self.observations.capacity() + gain {
+        let room = self.observations.capacity();
+        match taken < room || taken < room + self.gain() {
             true => Ok(()),
             false => Err(FULL),
+        }
+    }
+
+    /// How many observations thinning drops at least: a quarter of what was not asked.
+    fn gain(&self) -> usize {
+        match self.unasked {
+            None if self.not_asked() >= FEWEST => self.not_asked() / 4,
+            _ => 0,
         }
     }
 
@@ -53,17 +57,17 @@ impl<R: Real> VersionSpace<'_, R> {
         if self.observations.len() < self.observations.capacity() {
             return Ok(());
         }
-        if self.unasked.is_some() || self.not_asked() < FEWEST {
+        let gain = self.gain();
+        if gain == 0 {
             return Err(FULL);
         }
         let mut dropped = SampleSet::EMPTY;
-        self.choose_what_goes(problem, &mut dropped)?;
+        self.choose_what_goes(problem, gain, &mut dropped)?;
         let told = self.observations.len();
         self.observations.keep(|place| !dropped.contains(place));
         let kept = self.observations.len();
-        self.forget(problem.domain());
         self.report.dropped += told - kept;
-        self.report.observed = self.report.dropped;
+        self.forget(problem.domain());
         self.quiet = true;
         self.retake(problem, kept)?;
         self.end_quiet(problem.domain());
@@ -76,10 +80,10 @@ impl<R: Real> VersionSpace<'_, R> {
     fn choose_what_goes(
         &mut self,
         problem: &Problem<'_>,
+        enough: usize,
         dropped: &mut SampleSet,
     ) -> Result<(), Error> {
         let told = self.observations.len();
-        let enough = self.not_asked() / 4;
         let (mut far, mut near, mut gone) = ([0usize; 2], 0usize, 0usize);
         for place in 0..told {
             let Some(own) = self.observations.slot(place).copied() else {
