@@ -359,14 +359,10 @@ private:
 
     /** A failure in the words of the learner. */
     Failure explained(critreg_status status) const {
-        Failure failure(status);
-        if (!failure || status == CRITREG_BUSY || status == CRITREG_NOT_A_HANDLE) return failure;
-        std::string message;
-        detail::fill_text(message, [this](char *text, std::size_t len, std::size_t *needed) {
-            return critreg_learner_message(handle(), text, len, needed);
-        });
-        if (!message.empty()) failure.message = std::move(message);
-        return failure;
+        return detail::explained(
+            status, [this](char *text, std::size_t len, std::size_t *needed) {
+                return critreg_learner_message(handle(), text, len, needed);
+            });
     }
 
     /** Calls a function with the number of instances. */

@@ -162,11 +162,10 @@ private:
 
     /** A failure in the words of the planner. */
     Failure explained(critreg_status status) const {
-        Failure failure(status);
-        if (!failure || status == CRITREG_BUSY || status == CRITREG_NOT_A_HANDLE) return failure;
-        std::string words = message();
-        if (!words.empty()) failure.message = std::move(words);
-        return failure;
+        return detail::explained(
+            status, [this](char *text, std::size_t len, std::size_t *needed) {
+                return critreg_planner_message(handle(), text, len, needed);
+            });
     }
 
     Failure planned(detail::WorldCall &call, critreg_skills *skills, Numbers initial, std::uint64_t seed,

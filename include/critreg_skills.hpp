@@ -173,11 +173,10 @@ private:
 
     /** A failure in the words of the skills. */
     Failure explained(critreg_status status) const {
-        Failure failure(status);
-        if (!failure || status == CRITREG_BUSY || status == CRITREG_NOT_A_HANDLE) return failure;
-        std::string words = message();
-        if (!words.empty()) failure.message = std::move(words);
-        return failure;
+        return detail::explained(
+            status, [this](char *text, std::size_t len, std::size_t *needed) {
+                return critreg_skills_message(handle(), text, len, needed);
+            });
     }
 
     Returned<void> done(critreg_status status) const {

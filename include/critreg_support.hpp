@@ -294,6 +294,16 @@ template <class Check> Failure complaint(Check check) {
     return failure;
 }
 
+/** A failure in the words of a handle, which tell about its last call that failed. */
+template <class Words> Failure explained(critreg_status status, Words words) {
+    Failure failure(status);
+    if (!failure || status == CRITREG_BUSY || status == CRITREG_NOT_A_HANDLE) return failure;
+    std::string message;
+    fill_text(message, words);
+    if (!message.empty()) failure.message = std::move(message);
+    return failure;
+}
+
 /** Refuses a length other than the one that the library reads. */
 inline Failure fits(std::size_t given, std::size_t wanted, const char *what) {
     if (given == wanted) return {};
