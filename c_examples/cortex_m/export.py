@@ -10,9 +10,8 @@ the C library: there are no loops in it, and only sines are called.
 
 import pathlib
 import re
-import sys
 
-from figures import GROWTH, README, read, run
+from figures import compare, run
 
 HERE = pathlib.Path(__file__).resolve().parent
 BUILD = HERE.parent / "build" / "cortex_m_export"
@@ -79,21 +78,8 @@ def table(columns):
 def main():
     BUILD.mkdir(parents=True, exist_ok=True)
     run("make", "--silent", "pick.h")
-    before, _, rest = README.read_text().partition(BEGIN)
-    committed, _, after = rest.partition(END)
     new = table({name: measure(options) for name, options in VARIANTS.items()})
-    print(new, end="")
-    if "--update" in sys.argv:
-        README.write_text(before + BEGIN + new + END + after)
-        return
-    old, new = read(committed), read(new)
-    if old.keys() != new.keys():
-        sys.exit("README.md has other figures; export.py --update writes these")
-    grown = [key for key in new if new[key] > GROWTH * old[key]]
-    for title, name in grown:
-        print(f"grew: {title}, {name}: {old[title, name]} -> {new[title, name]}")
-    if grown:
-        sys.exit("export.py --update accepts this")
+    compare(new, BEGIN, END)
 
 
 if __name__ == "__main__":

@@ -82,22 +82,28 @@ def read(text):
     return numbers
 
 
-def main():
-    before, _, rest = README.read_text().partition(BEGIN)
-    committed, _, after = rest.partition(END)
-    new = table({name: measure(features) for name, features in VARIANTS.items()})
+def compare(new, begin, end):
+    """Holds a table against that between two marks of README.md, or writes it there."""
+    before, _, rest = README.read_text().partition(begin)
+    committed, _, after = rest.partition(end)
+    script = pathlib.Path(sys.argv[0]).name
     print(new, end="")
     if "--update" in sys.argv:
-        README.write_text(before + BEGIN + new + END + after)
+        README.write_text(before + begin + new + end + after)
         return
     old, new = read(committed), read(new)
     if old.keys() != new.keys():
-        sys.exit("README.md has other figures; figures.py --update writes these")
+        sys.exit(f"README.md has other figures; {script} --update writes these")
     grown = [key for key in new if new[key] > GROWTH * old[key]]
     for title, name in grown:
         print(f"grew: {title}, {name}: {old[title, name]} -> {new[title, name]}")
     if grown:
-        sys.exit("figures.py --update accepts this")
+        sys.exit(f"{script} --update accepts this")
+
+
+def main():
+    new = table({name: measure(features) for name, features in VARIANTS.items()})
+    compare(new, BEGIN, END)
 
 
 if __name__ == "__main__":
