@@ -63,12 +63,12 @@ for source in tests/c/*.c; do
     esac
     run "$name"
 done
-for source in c_examples/{pick_stick.c,own_domain.c,ask_tell.c,plan_tasks.c,from_cpp.cpp}; do
+for source in c_examples/{pick_stick.c,own_domain.c,ask_tell.c,plan_tasks.c,own_world.c,from_cpp.cpp}; do
     name=$(basename "${source%.*}")
     program address,undefined address "$name" "$source"
     case "$name" in
         pick_stick | own_domain) run "$name" 2 ;;
-        plan_tasks) run "$name" 5 12 ;;
+        plan_tasks | own_world) run "$name" 5 12 ;;
         *) run "$name" ;;
     esac
 done
