@@ -60,11 +60,24 @@ static void check(critreg_status status)
     stop(REFUSED, "%s. %s", critreg_strerror(status), why);
 }
 
+/* What a command takes, until it ends. */
+static void *taken[16];
+static size_t takings;
+
+static void release(void)
+{
+    while (takings > 0)
+        free(taken[--takings]);
+}
+
 static void *allocate(size_t size)
 {
     void *memory = calloc(size > 0 ? size : 1, 1);
-    if (memory == NULL)
+    if (memory == NULL || takings == sizeof taken / sizeof *taken) {
+        free(memory);
         stop(REFUSED, "there is no memory");
+    }
+    taken[takings++] = memory;
     return memory;
 }
 
@@ -135,23 +148,19 @@ static long whole_number(const char *text)
 /* Reads the texts of the run and makes a fresh learner. */
 static void begin(void)
 {
-    size_t length, size, room = 64;
+    size_t length, size;
     char *domain = contents(path("domain"), &length), *text, *end;
     char *settings = contents(path("settings"), &length);
     critreg_config config;
     critreg_status status;
 
     text = contents(path("instances"), &length);
-    instances = (double *)allocate(room * sizeof *instances);
+    /* A number takes a digit and a blank at least. */
+    instances = (double *)allocate((length / 2 + 1) * sizeof *instances);
     for (count = 0;; count++, text = end) {
         double value = strtod(text, &end);
         if (end == text)
             break;
-        if (count == room) {
-            instances = (double *)realloc(instances, (room *= 2) * sizeof *instances);
-            if (instances == NULL)
-                stop(REFUSED, "there is no memory");
-        }
         instances[count] = value;
     }
     if (text[strspn(text, " \t\r\n")] != '\0')
@@ -349,6 +358,8 @@ static int run(const char *command, int argc, char **argv)
 int main(int argc, char **argv)
 {
     int status = USAGE;
+    if (atexit(release) != 0)
+        return REFUSED;
     if (argc > 2) {
         folder = argv[2];
         status = run(argv[1], argc, argv);
