@@ -110,6 +110,11 @@ impl Point<'_> {
         matches!(self.base, Base::Object(_)) && self.turn == [None; 3] && self.offset == [None; 3]
     }
 
+    /// Whether it lies on an object and moves with no parameter, as a corner does.
+    pub fn is_key_point(&self) -> bool {
+        !self.sampled && !self.part.is_empty()
+    }
+
     /// Whether it has a direction of its own: an object's, or one that is turned
     /// from its base. Points that share a direction make no new angles.
     pub fn has_heading(&self) -> bool {

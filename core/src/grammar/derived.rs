@@ -1,7 +1,8 @@
 //! Left sides that are made of others: what no relation between two points says.
 
 use super::features::{Features, feature_id};
-use super::leaves::folded_angles;
+use super::body_leaves::offs;
+use super::leaves::{folded_angles, vertex_angles};
 use crate::domain::{Coordinate, Dimension, Domain, Extreme, Node, NodeId, Point, Quantity, Share};
 use crate::geometry::{Axis, Relation};
 use crate::real::Real;
@@ -17,6 +18,7 @@ impl<R: Real> Features<'_, R> {
     /// |---|---|
     /// | `x_in(hand, tray)`, `abs_x_in(hand, tray)` | where something is in the frame of what has a heading |
     /// | `angle(finger, nut, 0.5*pi)` | an angle of what looks the same from several sides |
+    /// | `off(cup, nozzle)`, `angle(cup, hand, base)` | by how much something is off a direction |
     /// | `hand.x + hand.y`, `hand.x - hand.y` | on which side of a diagonal |
     /// | `min(dist(hand, post) - 0.5*post.width)` | clear of members of different sizes |
     /// | `mu * stick.length` | a share of a size |
@@ -26,7 +28,7 @@ impl<R: Real> Features<'_, R> {
             return;
         }
         self.derive_in_frames(domain, visit);
-        folded_angles(domain, true, &mut |node| self.offer(node, visit));
+        self.derive_angles(domain, visit);
         self.derive_gaps(domain, visit);
         self.derive_diagonals(domain, visit);
         self.derive_shares(domain, visit);
@@ -39,6 +41,18 @@ impl<R: Real> Features<'_, R> {
             && let Some(id) = self.operand(node)
         {
             visit(id);
+        }
+    }
+
+    /// Angles of what looks the same from several sides, off a direction, and at a point.
+    fn derive_angles(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
+        let mut offer = |node| self.offer(node, visit);
+        folded_angles(domain, true, &mut offer);
+        if domain.has_headings() {
+            if domain.bodies().is_empty() && cfg!(feature = "bodies") {
+                offs(domain, &mut offer);
+            }
+            vertex_angles(domain, true, &mut offer);
         }
     }
 

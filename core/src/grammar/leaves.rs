@@ -80,12 +80,8 @@ pub(super) fn coordinates(
 }
 
 /// Angles at a vertex between the directions to two other points, of the sample or not.
-/// Where nothing has a heading, there are no other angles. Key points are left out,
-/// because they lie in the directions of their objects.
-fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
-    if domain.has_headings() {
-        return;
-    }
+/// Key points are left out, because they lie in the directions of their objects.
+pub(super) fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
     let points = shown(domain).filter(|(_, p)| p.is_object() || p.sampled);
     for (vertex, at) in points.clone() {
         for (a, first) in points.clone().filter(|(a, _)| *a != vertex) {
@@ -130,29 +126,38 @@ pub(super) fn relations(
         _ => &[],
     };
     let bodies = dimension == Dimension::Length && !domain.bodies().is_empty();
+    let angles = dimension == Dimension::Angle;
+    let pairs = |of_key_points: bool, visit: Visit<'_>| {
+        for (a, first) in shown(domain) {
+            for (b, second) in shown(domain).take_while(|(b, _)| *b < a) {
+                let own = bodies && (first.is_key_point() || second.is_key_point());
+                if (first.sampled || second.sampled) != sampled || own != of_key_points {
+                    continue;
+                }
+                let (a, b) = ordered((a, first), (b, second));
+                for metric in metrics {
+                    say(domain, Quantity::Distance(*metric, a, b), visit);
+                }
+                if angles && first.has_heading() && second.has_heading() {
+                    say(domain, Quantity::Angle(a, b), visit);
+                }
+            }
+        }
+    };
+    // What bodies say, their key points seldom say better.
     if bodies {
         whole_bodies(domain, sampled, visit);
     }
-    let angles = dimension == Dimension::Angle;
-    for (a, first) in shown(domain) {
-        for (b, second) in shown(domain).take_while(|(b, _)| *b < a) {
-            if (first.sampled || second.sampled) != sampled {
-                continue;
-            }
-            let (a, b) = ordered((a, first), (b, second));
-            for metric in metrics {
-                say(domain, Quantity::Distance(*metric, a, b), visit);
-            }
-            if angles && first.has_heading() && second.has_heading() {
-                say(domain, Quantity::Angle(a, b), visit);
-            }
-        }
-    }
+    pairs(false, visit);
     if bodies {
         parts_of_bodies(domain, sampled, visit);
+        pairs(true, visit);
     }
     if angles {
-        vertex_angles(domain, sampled, visit);
+        // Where nothing has a heading, there are no other angles.
+        if !domain.has_headings() {
+            vertex_angles(domain, sampled, visit);
+        }
         if sampled && !domain.bodies().is_empty() {
             offs(domain, visit);
         }
