@@ -80,7 +80,8 @@ impl<'t> Domain<'t> {
             | Node::Area(_)
             | Node::Sum(..)
             | Node::Difference(..)
-            | Node::Product(..) => {}
+            | Node::Product(..)
+            | Node::Quotient(..) => {}
         }
     }
 }

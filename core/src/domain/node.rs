@@ -193,6 +193,8 @@ pub enum Node {
     Difference(NodeId, NodeId),
     /// `a * b`
     Product(NodeId, NodeId),
+    /// `a / b`
+    Quotient(NodeId, NodeId),
 }
 
 impl Blank for Node {
@@ -209,13 +211,14 @@ type Operation = fn(NodeId, NodeId) -> Node;
 
 /// Questions about terms. Each is answered here, once, for every kind of term.
 impl Node {
-    /// The operands of a sum, difference or product, and a function that makes the same
+    /// The operands of a sum, difference, product or quotient, and a function that makes the same
     /// of other operands.
     pub(crate) fn operands(self) -> Option<(NodeId, NodeId, Operation)> {
         match self {
             Node::Sum(a, b) => Some((a, b, Node::Sum)),
             Node::Difference(a, b) => Some((a, b, Node::Difference)),
             Node::Product(a, b) => Some((a, b, Node::Product)),
+            Node::Quotient(a, b) => Some((a, b, Node::Quotient)),
             Node::Number(_)
             | Node::Constant(_)
             | Node::Parameter(_)
@@ -236,7 +239,8 @@ impl Node {
             | Node::Extreme(..)
             | Node::Sum(..)
             | Node::Difference(..)
-            | Node::Product(..) => None,
+            | Node::Product(..)
+            | Node::Quotient(..) => None,
         }
     }
 
@@ -250,7 +254,8 @@ impl Node {
             | Node::Extreme(..)
             | Node::Sum(..)
             | Node::Difference(..)
-            | Node::Product(..) => false,
+            | Node::Product(..)
+            | Node::Quotient(..) => false,
         }
     }
 
@@ -265,7 +270,8 @@ impl Node {
             | Node::Extreme(..)
             | Node::Sum(..)
             | Node::Difference(..)
-            | Node::Product(..) => None,
+            | Node::Product(..)
+            | Node::Quotient(..) => None,
         }
     }
 }

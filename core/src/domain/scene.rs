@@ -211,6 +211,7 @@ impl<'a, R: Real> Scene<'a, R> {
             Some(Node::Sum(a, b)) => term(*a).plus(term(*b)),
             Some(Node::Difference(a, b)) => term(*a).minus(term(*b)),
             Some(Node::Product(a, b)) => term(*a).times(term(*b)),
+            Some(Node::Quotient(a, b)) => term(*a).over(term(*b)),
             Some(Node::Parameter(p)) => parameter(theta, *p),
             Some(
                 leaf @ (Node::Number(_)
@@ -284,7 +285,8 @@ impl<'a, R: Real> Scene<'a, R> {
             | Node::Extreme(..)
             | Node::Sum(..)
             | Node::Difference(..)
-            | Node::Product(..) => R::NAN,
+            | Node::Product(..)
+            | Node::Quotient(..) => R::NAN,
         }
     }
 

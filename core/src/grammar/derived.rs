@@ -1,7 +1,7 @@
 //! Left sides that are made of others: what no relation between two points says.
 
-use super::features::{Features, feature_id};
 use super::body_leaves::offs;
+use super::features::{Features, feature_id};
 use super::leaves::{folded_angles, vertex_angles};
 use crate::domain::{Coordinate, Dimension, Domain, Extreme, Node, NodeId, Point, Quantity, Share};
 use crate::geometry::{Axis, Relation};

@@ -94,7 +94,10 @@ impl<'s, 'a, R: Real> Choices<'s, 'a, R> {
     /// too many.
     fn collect(&mut self, id: NodeId) -> Option<()> {
         match self.nodes.get(usize::from(id.0))? {
-            Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b) => {
+            Node::Sum(a, b)
+            | Node::Difference(a, b)
+            | Node::Product(a, b)
+            | Node::Quotient(a, b) => {
                 self.collect(*a)?;
                 self.collect(*b)
             }

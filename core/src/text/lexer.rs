@@ -24,7 +24,7 @@ pub enum Token<'t> {
     Variable(&'t str),
     /// A number without sign.
     Number(f64),
-    /// One of `( ) [ ] { } , : = + - * < <= > >=`. In PDDL one of
+    /// One of `( ) [ ] { } , : = + - * / < <= > >=`. In PDDL one of
     /// `( ) = - + * / < <= > >=` or a keyword with its colon: `:action`.
     Symbol(&'t str),
     /// A character or number that the language does not know.
@@ -206,13 +206,9 @@ impl<'t> Lexer<'t> {
 
 /// What is said in place of an error where a text goes on as other languages do.
 fn hint(rest: &str) -> Option<&'static str> {
-    const HINTS: [(&str, &str); 10] = [
+    const HINTS: [(&str, &str); 9] = [
         ("//", "a comment begins with #"),
         ("/*", "a comment begins with # and ends with the line"),
-        (
-            "/",
-            "there is no division: multiply by a constant, as in 0.5*width",
-        ),
         (";", "statements end without `;`"),
         ("^", "there are no powers: write x*x"),
         (
@@ -254,7 +250,9 @@ impl Language {
             (_, b'0'..=b'9') => (number, number_length(text.as_bytes())),
             (_, b'<' | b'>') if second == b'=' => (Token::Symbol, 2),
             (_, b'(' | b')' | b'=' | b'-' | b'+' | b'*' | b'<' | b'>') => (Token::Symbol, 1),
-            (Language::Pddl, b'/') => (Token::Symbol, 1),
+            // Other languages begin comments with two signs.
+            (Language::Own, b'/') if matches!(second, b'/' | b'*') => (|_| Token::Unknown, 2),
+            (_, b'/') => (Token::Symbol, 1),
             (Language::Own, b'[' | b']' | b'{' | b'}' | b',' | b':') => (Token::Symbol, 1),
             (Language::Pddl, b':') if self.begins_name(second) => {
                 (Token::Symbol, 1 + self.name_length(behind))

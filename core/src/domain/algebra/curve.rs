@@ -271,6 +271,17 @@ impl<R: Real> Arithmetic<R> for Curve<R> {
             (None, None) => Self::unknown(),
         }
     }
+    fn over(self, other: Self) -> Self {
+        match (self.as_constant(), other.as_constant()) {
+            (Some(a), Some(b)) => Self::constant(a / b),
+            (None, Some(b)) => Curve {
+                line: self.line.over(Line::constant(b)),
+                factor: self.factor / b,
+                ..self
+            },
+            (_, None) => Self::unknown(),
+        }
+    }
     fn scaled(self, factor: R) -> Self {
         Curve {
             line: self.line.scaled(factor),

@@ -54,6 +54,16 @@ impl<R: Real> Arithmetic<R> for Line<R> {
             Self::unknown()
         }
     }
+    fn over(self, other: Self) -> Self {
+        if other.slope == R::ZERO {
+            Line {
+                at: self.at / other.at,
+                slope: self.slope / other.at,
+            }
+        } else {
+            Self::unknown()
+        }
+    }
     fn scaled(self, factor: R) -> Self {
         Line {
             at: self.at * factor,

@@ -17,7 +17,7 @@ pub use range::Range;
 use super::node::Extreme;
 use crate::real::Real;
 
-/// What can be added, subtracted and multiplied.
+/// What can be added, subtracted, multiplied and divided.
 pub trait Arithmetic<R: Real>: Copy {
     /// A number that does not vary.
     fn constant(value: R) -> Self;
@@ -29,6 +29,8 @@ pub trait Arithmetic<R: Real>: Copy {
     fn minus(self, other: Self) -> Self;
     /// `self * other`
     fn times(self, other: Self) -> Self;
+    /// `self / other`
+    fn over(self, other: Self) -> Self;
     /// `self * factor`
     fn scaled(self, factor: R) -> Self {
         self.times(Self::constant(factor))

@@ -20,6 +20,9 @@ impl<R: Real> Arithmetic<R> for R {
     fn times(self, other: R) -> R {
         self * other
     }
+    fn over(self, other: R) -> R {
+        self / other
+    }
     fn widened(self, _: R) -> R {
         self
     }

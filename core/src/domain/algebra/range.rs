@@ -82,6 +82,20 @@ impl<R: Real> Arithmetic<R> for Range<R> {
             high: a.max(b).max(c.max(d)),
         }
     }
+    fn over(self, other: Self) -> Self {
+        if other.low <= R::ZERO && other.high >= R::ZERO {
+            return Self::unknown();
+        }
+        let (a, b) = (self.low / other.low, self.low / other.high);
+        let (c, d) = (self.high / other.low, self.high / other.high);
+        if !(a + b + c + d).is_finite() {
+            return Self::unknown();
+        }
+        Range {
+            low: a.min(b).min(c.min(d)),
+            high: a.max(b).max(c.max(d)),
+        }
+    }
     fn widened(self, by: R) -> Self {
         self.plus(Range { low: -by, high: by })
     }

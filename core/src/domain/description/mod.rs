@@ -141,7 +141,6 @@ mod tests {
     fn habits_of_other_languages_get_a_hint() {
         let with = |line: &str| std::format!("object a {{ x: length, y: length }}\n{line}");
         let cases = [
-            ("constant c = 1 / 2: none", "there is no division"),
             ("constant c = 2 ^ 2: none", "there are no powers"),
             ("// a comment", "a comment begins with #"),
             ("parameter x in [0, 1];", "end without `;`"),

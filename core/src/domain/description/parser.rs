@@ -67,7 +67,8 @@ impl<'t> DomainParser<'_, 't> {
             | Node::Parameter(_)
             | Node::Sum(..)
             | Node::Difference(..)
-            | Node::Product(..) => true,
+            | Node::Product(..)
+            | Node::Quotient(..) => true,
             Node::Quantity(quantity) => quantity.slot().is_some(),
             Node::Area(_) | Node::Extreme(..) => false,
         };

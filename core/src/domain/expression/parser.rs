@@ -108,14 +108,21 @@ impl ExpressionParser<'_, '_, '_> {
         let mut links = depth;
         loop {
             let at = lexer.place();
-            if !lexer.accept("*") {
+            let make = if lexer.accept("*") {
+                Node::Product
+            } else if lexer.accept("/") {
+                Node::Quotient
+            } else {
                 return Ok(left);
-            }
+            };
             links = deeper(lexer, links)?;
             let right = self.factor(lexer, depth)?;
-            product_dimension(self.dimension(left), self.dimension(right))
-                .map_err(|what| lexer.fail_at(at, what))?;
-            left = self.join(lexer, Node::Product(left, right))?;
+            let node = make(left, right);
+            if let Node::Product(..) = node {
+                product_dimension(self.dimension(left), self.dimension(right))
+                    .map_err(|what| lexer.fail_at(at, what))?;
+            }
+            left = self.join(lexer, node)?;
         }
     }
 
@@ -421,7 +428,9 @@ fn deeper(lexer: &mut Lexer<'_>, depth: u8) -> Result<u8, Failed> {
 /// because such a one is refused when it is made.
 fn height(nodes: &[Node], id: NodeId) -> u8 {
     match nodes.get(usize::from(id.0)) {
-        Some(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
+        Some(
+            Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b) | Node::Quotient(a, b),
+        ) => {
             let [a, b] = [a, b].map(|own| height(nodes, *own));
             a.max(b).saturating_add(1)
         }

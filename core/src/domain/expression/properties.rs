@@ -29,6 +29,9 @@ impl Domain<'_> {
             Node::Product(a, b) => {
                 product_dimension(self.dimension(nodes, a), self.dimension(nodes, b)).ok()?
             }
+            Node::Quotient(a, b) => {
+                quotient_dimension(self.dimension(nodes, a), self.dimension(nodes, b))
+            }
         }
     }
 
@@ -66,9 +69,12 @@ impl Domain<'_> {
                 });
                 found
             }
-            Ok(Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b)) => {
-                self.dependence(nodes, a).max(self.dependence(nodes, b))
-            }
+            Ok(
+                Node::Sum(a, b)
+                | Node::Difference(a, b)
+                | Node::Product(a, b)
+                | Node::Quotient(a, b),
+            ) => self.dependence(nodes, a).max(self.dependence(nodes, b)),
         }
     }
 
@@ -151,6 +157,7 @@ impl Domain<'_> {
             Node::Sum(a, b) => Some(value(a)? + value(b)?),
             Node::Difference(a, b) => Some(value(a)? - value(b)?),
             Node::Product(a, b) => Some(value(a)? * value(b)?),
+            Node::Quotient(a, b) => Some(value(a)? / value(b)?),
             Node::Parameter(_) | Node::Area(_) | Node::Quantity(_) | Node::Extreme(..) => None,
         }
     }
@@ -173,5 +180,16 @@ pub(super) fn product_dimension(
         (Some(Plain), d) | (d, Some(Plain)) => Ok(d),
         (Some(Length), Some(Length)) => Ok(Some(Area)),
         _ => Err("one factor of a product must be a plain number, or both lengths"),
+    }
+}
+
+/// The dimension of a quotient, as far as there is a word for it; without, it fits anything.
+fn quotient_dimension(a: Option<Dimension>, b: Option<Dimension>) -> Option<Dimension> {
+    use Dimension::{Area, Length, None as Plain};
+    match (a, b) {
+        (d, None | Some(Plain)) => d,
+        (Some(Area), Some(Length)) => Some(Length),
+        (Some(one), Some(other)) if one == other => Some(Plain),
+        (None | Some(_), Some(_)) => None,
     }
 }

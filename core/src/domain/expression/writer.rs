@@ -55,6 +55,7 @@ impl Domain<'_> {
             Node::Sum(a, b) => (a, " + ", b, Precedence::Sum),
             Node::Difference(a, b) => (a, " - ", b, Precedence::Sum),
             Node::Product(a, b) => (a, "*", b, Precedence::Product),
+            Node::Quotient(a, b) => (a, "/", b, Precedence::Product),
         };
         let brackets = own < place;
         if brackets {

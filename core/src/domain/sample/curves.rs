@@ -28,7 +28,8 @@ impl<R: Real> Sample<'_, '_, R, Line<R>> {
             | Node::Area(_)
             | Node::Sum(..)
             | Node::Difference(..)
-            | Node::Product(..) => 1,
+            | Node::Product(..)
+            | Node::Quotient(..) => 1,
         }
     }
 

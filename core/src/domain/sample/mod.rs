@@ -96,6 +96,7 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             Node::Sum(a, b) => operand(a).plus(operand(b)),
             Node::Difference(a, b) => operand(a).minus(operand(b)),
             Node::Product(a, b) => operand(a).times(operand(b)),
+            Node::Quotient(a, b) => operand(a).over(operand(b)),
             Node::Number(_)
             | Node::Constant(_)
             | Node::Parameter(_)
@@ -126,7 +127,9 @@ impl<'s, 'a, R: Real, A: Algebra<R>> Sample<'s, 'a, R, A> {
             | Node::Quantity(Quantity::Attribute(_)) => {
                 A::Measure::constant(self.scene.given(&leaf))
             }
-            Node::Sum(..) | Node::Difference(..) | Node::Product(..) => A::Measure::unknown(),
+            Node::Sum(..) | Node::Difference(..) | Node::Product(..) | Node::Quotient(..) => {
+                A::Measure::unknown()
+            }
         }
     }
 

@@ -172,6 +172,14 @@ impl<'o> Code<'o> {
         }
     }
 
+    pub(super) fn quotient(&mut self, a: Operand, b: Operand) -> Result<Operand, Error> {
+        match (a, b) {
+            (Operand::Zero, _) => Ok(Operand::Zero),
+            (_, Operand::One) => Ok(a),
+            _ => self.constant(&["", " / "], &[a, b]),
+        }
+    }
+
     pub(super) fn plus(&mut self, a: Value, b: Value) -> Result<Value, Error> {
         self.each(a, b, Code::sum)
     }
@@ -201,6 +209,17 @@ impl<'o> Code<'o> {
             let first = self.product(of_a, b.value)?;
             let second = self.product(a.value, of_b)?;
             *slope = self.sum(first, second)?;
+        }
+        Ok(result)
+    }
+
+    pub(super) fn over(&mut self, a: Value, b: Value) -> Result<Value, Error> {
+        let mut result = Value::constant(self.quotient(a.value, b.value)?);
+        let slopes = a.slopes.into_iter().zip(b.slopes);
+        for (slope, (of_a, of_b)) in result.slopes.iter_mut().zip(slopes) {
+            let second = self.product(result.value, of_b)?;
+            let change = self.difference(of_a, second)?;
+            *slope = self.quotient(change, b.value)?;
         }
         Ok(result)
     }

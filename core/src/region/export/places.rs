@@ -93,6 +93,13 @@ impl<'d, 'o> Places<'d, 'o> {
         self.code.times(a, b)
     }
 
+    pub(super) fn over(&mut self, a: Value, b: Value) -> Result<Value, Error> {
+        if self.is_line && b.varies() {
+            return Err(NOT_STRAIGHT);
+        }
+        self.code.over(a, b)
+    }
+
     /// Where a point is.
     pub(super) fn placed(&mut self, index: u8) -> Result<Placed, Error> {
         if let Some((_, placed)) = self.kept.iter().find(|(own, _)| *own == index) {
@@ -250,6 +257,10 @@ impl<'d, 'o> Places<'d, 'o> {
                 let (a, b) = (self.given(Some(a))?, self.given(Some(b))?);
                 self.times(a, b)
             }
+            Node::Quotient(a, b) => {
+                let (a, b) = (self.given(Some(a))?, self.given(Some(b))?);
+                self.over(a, b)
+            }
             leaf => self.leaf(leaf)?.ok_or(missing),
         }
     }
@@ -272,7 +283,11 @@ impl<'d, 'o> Places<'d, 'o> {
                 Some(slot) => Value::constant(Operand::Slot(slot)),
                 None => return Ok(None),
             },
-            Node::Extreme(..) | Node::Sum(..) | Node::Difference(..) | Node::Product(..) => {
+            Node::Extreme(..)
+            | Node::Sum(..)
+            | Node::Difference(..)
+            | Node::Product(..)
+            | Node::Quotient(..) => {
                 return Ok(None);
             }
         }))

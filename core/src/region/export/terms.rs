@@ -56,6 +56,19 @@ impl Places<'_, '_> {
                 let line = self.code.times(a.line, b.line)?;
                 Ok(Term { line, bend })
             }
+            Node::Quotient(a, b) => {
+                let (a, b) = (self.term(nodes, a)?, self.term(nodes, b)?);
+                let bend = match (a.bend, b.varies()) {
+                    (Some((factor, vector)), false) => {
+                        Some((self.code.quotient(factor, b.line.value)?, vector))
+                    }
+                    (None, false) => None,
+                    (_, true) if self.is_line => return Err(NOT_STRAIGHT),
+                    (_, true) => None,
+                };
+                let line = self.code.over(a.line, b.line)?;
+                Ok(Term { line, bend })
+            }
             Node::Extreme(extreme, quantity) => self.extreme(extreme, quantity).map(Term::from),
             Node::Quantity(quantity) => self.quantity(quantity),
             leaf => Ok(self.leaf(leaf)?.ok_or(missing)?.into()),

@@ -162,6 +162,6 @@ impl<'s> Selection<'s> {
 fn says_something(node: &Node) -> bool {
     !matches!(
         node,
-        Node::Number(_) | Node::Constant(_) | Node::Product(..)
+        Node::Number(_) | Node::Constant(_) | Node::Product(..) | Node::Quotient(..)
     )
 }
