@@ -10,7 +10,7 @@ use super::schema::{Domain, MAX_POINTS};
 use crate::geometry::Relation;
 
 /// The number of the first compound, among those of the points and compounds.
-const FIRST: u8 = MAX_POINTS as u8;
+pub(super) const FIRST_COMPOUND: u8 = MAX_POINTS as u8;
 
 impl<'t> Domain<'t> {
     /// The compounds in order of declaration.
@@ -20,19 +20,21 @@ impl<'t> Domain<'t> {
 
     /// The compound that stands for a point in a quantity.
     pub fn compound(&self, number: u8) -> Option<&Compound<'t>> {
-        let index = number.checked_sub(FIRST)?;
+        let index = number.checked_sub(FIRST_COMPOUND)?;
         self.compounds.get(usize::from(index))
     }
 
     /// The number of the compound with this name: it stands for a point in a quantity.
     pub fn find_compound(&self, name: &str) -> Option<u8> {
         let index = self.compounds.iter().position(|c| c.name == name)?;
-        u8::try_from(index).ok()?.checked_add(FIRST)
+        u8::try_from(index).ok()?.checked_add(FIRST_COMPOUND)
     }
 
     /// The numbers of all compounds.
     pub(crate) fn compound_numbers(&self) -> impl Iterator<Item = u8> {
-        (FIRST..).zip(&self.compounds).map(|(number, _)| number)
+        (FIRST_COMPOUND..)
+            .zip(&self.compounds)
+            .map(|(number, _)| number)
     }
 
     /// The parts of a compound, or the point itself.

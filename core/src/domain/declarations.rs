@@ -179,6 +179,15 @@ pub struct Body {
     pub solid: Solid,
 }
 
+/// An expression that hypotheses are about because the text says so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Feature<'t> {
+    /// Its name; empty for one that has none.
+    pub name: &'t str,
+    /// The expression, among the terms of the domain.
+    pub term: NodeId,
+}
+
 /// Several bodies under one name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compound<'t> {

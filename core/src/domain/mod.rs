@@ -7,7 +7,8 @@
 //!
 //! ```text
 //! domain    = { statement } ;                                (* "#" starts a comment *)
-//! statement = type | object | constant | parameter | shape | point ;
+//! statement = type | object | constant | parameter | shape | point
+//!           | feature | compare | relate ;
 //! type      = "type" name attributes ;
 //! object    = "object" named ( attributes | { "," named } ":" name ) ;
 //! named     = name [ "[" number "]" ] ;                      (* a group of this many members *)
@@ -26,8 +27,11 @@
 //! frame     = "world" | path ;                               (* an object or an earlier point *)
 //! turn      = factor | "(" expr "," expr "," expr ")" ;      (* yaw, or yaw, pitch, roll *)
 //! offset    = "(" expr "," expr [ "," expr ] ")" ;
+//! feature   = "feature" path "=" expr ;                      (* a name for an expression *)
+//! compare   = "compare" expr { "," expr } ;                  (* these and no others *)
+//! relate    = "relate" path { "," path } ;                   (* these and no others *)
 //! expr      = term { ( "+" | "-" ) term } ;
-//! term      = factor { "*" factor } ;
+//! term      = factor { ( "*" | "/" ) factor } ;
 //! factor    = number | "pi" | path | "-" factor | "(" expr ")" | call | extreme ;
 //! extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over the members of a group *)
 //! call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" | "off" ) "(" path "," path ")"
@@ -97,6 +101,15 @@
 //! A point without a shape is a body without extent. A size below zero is that of an absent
 //! body, of which no constraint holds.
 //!
+//! # Features
+//!
+//! Whoever knows a law writes it down once: `feature slide = v*v / (2 * 9.81 * ground.mu)` is
+//! compared as any other feature of the grammar, before all others, and regions call it by its
+//! name. It may have any dimension; one without a word, as a mass divided by a length, fits
+//! every number. `compare hand.x, slide` says that these, and the features with a name, are all
+//! that is compared, and `relate gripper, can` that relations between points and bodies are
+//! enumerated of these only.
+//!
 //! # Groups
 //!
 //! `object obstacle[6]: block` is a group: any number of blocks up to six. An
@@ -148,8 +161,8 @@ pub(crate) use node::{TermError, copy, intern, is_same};
 
 pub use algebra::{Algebra, Arithmetic, Bend, Curve, Line, Measure, Range};
 pub use declarations::{
-    Attribute, Base, Body, Compound, Constant, Group, Member, Object, Parameter, Point, Shape,
-    Solid, Type,
+    Attribute, Base, Body, Compound, Constant, Feature, Group, Member, Object, Parameter, Point,
+    Shape, Solid, Type,
 };
 pub use dimension::Dimension;
 pub use expression::{Dependence, MAX_DEPTH};
@@ -158,6 +171,7 @@ pub use point_set::PointSet;
 pub use sample::Sample;
 pub use scene::{MAX_SAMPLE_POINTS, Scene};
 pub use schema::{
-    Domain, MAX_ATTRIBUTES, MAX_BODIES, MAX_COMPOUNDS, MAX_CONSTANTS, MAX_DOMAIN_NODES, MAX_GROUPS,
-    MAX_OBJECTS, MAX_PARAMETERS, MAX_PARTS, MAX_POINTS, MAX_SHAPES, MAX_TYPES,
+    Domain, MAX_ATTRIBUTES, MAX_BODIES, MAX_COMPOUNDS, MAX_CONSTANTS, MAX_DOMAIN_NODES,
+    MAX_FEATURES, MAX_GROUPS, MAX_OBJECTS, MAX_PARAMETERS, MAX_PARTS, MAX_POINTS, MAX_SHAPES,
+    MAX_TYPES,
 };

@@ -1,10 +1,11 @@
 //! A domain: the lists of what it declares, and look-ups in them.
 
+use super::compound::FIRST_COMPOUND;
 use super::declarations::{
-    Attribute, Base, Body, Compound, Constant, Group, Object, Parameter, Point, PoseSlots, Shape,
-    Type,
+    Attribute, Base, Body, Compound, Constant, Feature, Group, Object, Parameter, Point, PoseSlots,
+    Shape, Type,
 };
-use super::node::Node;
+use super::node::{Node, NodeId, is_same};
 use super::point_set::Bits;
 use crate::text::split_at_dot;
 use heapless::Vec;
@@ -32,8 +33,18 @@ pub const MAX_BODIES: usize = if cfg!(feature = "bodies") { 24 } else { 0 };
 pub const MAX_COMPOUNDS: usize = if cfg!(feature = "bodies") { 4 } else { 0 };
 /// Most parts of a compound.
 pub const MAX_PARTS: usize = 6;
-/// Most terms in the offsets, turns and sizes of all points and shapes together.
+/// Most features that the text declares.
+pub const MAX_FEATURES: usize = 8;
+/// Most terms in the offsets, turns and sizes of all points and shapes, and in the features,
+/// together.
 pub const MAX_DOMAIN_NODES: usize = 128;
+
+/// What relations are enumerated of: points, and compounds by their numbers from zero.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Related {
+    pub(super) points: Bits,
+    pub(super) compounds: Bits,
+}
 
 /// Everything that features and regions can speak of. [`Domain::parse`] makes it from a
 /// text, from which it borrows the names.
@@ -49,8 +60,13 @@ pub struct Domain<'t> {
     pub(super) shapes: Vec<(u8, Shape), MAX_SHAPES>,
     pub(super) bodies: Vec<Body, MAX_BODIES>,
     pub(super) compounds: Vec<Compound<'t>, MAX_COMPOUNDS>,
+    pub(super) features: Vec<Feature<'t>, MAX_FEATURES>,
+    /// Whether nothing is compared but the features.
+    pub(super) compares: bool,
     /// The points that no relation is enumerated of.
     pub(super) hidden: Bits,
+    /// What alone relations are enumerated of, if the text says so.
+    pub(super) related: Option<Related>,
     pub(super) nodes: Vec<Node, MAX_DOMAIN_NODES>,
     pub(super) slots: u8,
     pub(super) text: &'t str,
@@ -71,7 +87,10 @@ impl<'t> Domain<'t> {
             shapes: Vec::new(),
             bodies: Vec::new(),
             compounds: Vec::new(),
+            features: Vec::new(),
+            compares: false,
             hidden: Bits::NONE,
+            related: None,
             nodes: Vec::new(),
             slots: 0,
             text: "",
@@ -144,9 +163,37 @@ impl<'t> Domain<'t> {
         self.bodies.iter().find(|body| body.point == point)
     }
 
-    /// Whether a point is none that relations are enumerated of: its shape is `none`.
-    pub fn is_hidden(&self, point: u8) -> bool {
-        self.hidden.has(point)
+    /// Whether a point or compound is none that relations are enumerated of: its shape is
+    /// `none`, or the text relates others.
+    pub fn is_hidden(&self, number: u8) -> bool {
+        let is_related = |related: Related| match number.checked_sub(FIRST_COMPOUND) {
+            Some(compound) => related.compounds.has(compound),
+            None => related.points.has(number),
+        };
+        self.hidden.has(number) || !self.related.is_none_or(is_related)
+    }
+
+    /// The features that the text declares.
+    pub fn features(&self) -> &[Feature<'t>] {
+        &self.features
+    }
+
+    /// Whether nothing is compared but the features.
+    pub fn compares(&self) -> bool {
+        self.compares
+    }
+
+    /// The feature with this name.
+    pub fn find_feature(&self, name: &str) -> Option<&Feature<'t>> {
+        let mut named = self.features.iter().filter(|f| !f.name.is_empty());
+        named.find(|feature| feature.name == name)
+    }
+
+    /// The name of the feature that an expression of a list is.
+    pub(super) fn name_of_term(&self, nodes: &[Node], id: NodeId) -> Option<&'t str> {
+        let mut named = self.features.iter().filter(|f| !f.name.is_empty());
+        let same = |f: &&Feature<'_>| is_same(&self.nodes, f.term, nodes, id);
+        named.find(same).map(|feature| feature.name)
     }
 
     /// Whether the body of a point is a circle, or a ball.

@@ -52,7 +52,10 @@ fn things<'d>(domain: &'d Domain<'_>) -> impl Iterator<Item = (u8, &'d Point<'d>
 /// The numbers of compounds and things: a compound stands before its parts.
 fn numbers(domain: &Domain<'_>) -> impl Iterator<Item = u8> {
     let things = things(domain).map(|(index, _)| index);
-    domain.compound_numbers().chain(things)
+    let compounds = domain.compound_numbers();
+    compounds
+        .filter(|number| !domain.is_hidden(*number))
+        .chain(things)
 }
 
 /// A relation between any two things that stand somewhere, of which one at least has an

@@ -2,8 +2,10 @@
 
 use super::body_leaves::offs;
 use super::features::{Features, feature_id};
-use super::leaves::{folded_angles, vertex_angles};
-use crate::domain::{Coordinate, Dimension, Domain, Extreme, Node, NodeId, Point, Quantity, Share};
+use super::leaves::{folded_angles, shown, vertex_angles};
+use crate::domain::{
+    Coordinate, Dimension, Domain, Extreme, Metric, Node, NodeId, Point, Quantity, Share,
+};
 use crate::geometry::{Axis, Relation};
 use crate::real::Real;
 
@@ -23,8 +25,10 @@ impl<R: Real> Features<'_, R> {
     /// | `min(dist(hand, post) - 0.5*post.width)` | clear of members of different sizes |
     /// | `mu * stick.length` | a share of a size |
     /// | `part.width` | a condition on the scene alone |
+    /// | `dist_x(foot, pad)/dist_y(foot, pad)` | how steep it is from one thing to another |
+    /// | `dist(hand, base)*load.mass`, `v*v/(ground.mu*goal.far)` | a law: products and quotients of up to four numbers |
     pub(crate) fn derive(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
-        if domain.parameters().is_empty() {
+        if domain.parameters().is_empty() || domain.compares() {
             return;
         }
         self.derive_in_frames(domain, visit);
@@ -33,10 +37,12 @@ impl<R: Real> Features<'_, R> {
         self.derive_diagonals(domain, visit);
         self.derive_shares(domain, visit);
         self.derive_scene(domain, visit);
+        self.derive_slopes(domain, visit);
+        self.derive_laws(domain, visit);
     }
 
     /// Appends a left side, unless it is there already.
-    fn offer(&mut self, node: Node, visit: VisitId<'_>) {
+    pub(super) fn offer(&mut self, node: Node, visit: VisitId<'_>) {
         if self.find(node).is_none()
             && let Some(id) = self.operand(node)
         {
@@ -169,8 +175,23 @@ impl<R: Real> Features<'_, R> {
         }
     }
 
+    /// How steep it is from what stands to what moves.
+    fn derive_slopes(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
+        for (a, _) in shown(domain).filter(|(_, p)| p.sampled && p.member.is_none()) {
+            for (b, _) in shown(domain).filter(|(_, p)| p.is_object() && p.member.is_none()) {
+                let along = |metric| Node::Quantity(Quantity::Distance(metric, a, b));
+                let operands = [Metric::X, Metric::Y].map(|metric| self.operand(along(metric)));
+                if let [Some(x), Some(y)] = operands
+                    && domain.axes() >= 2
+                {
+                    self.offer(Node::Quotient(x, y), visit);
+                }
+            }
+        }
+    }
+
     /// The id of a term, which is appended if it is not there; `None` without room.
-    fn operand(&mut self, node: Node) -> Option<NodeId> {
+    pub(super) fn operand(&mut self, node: Node) -> Option<NodeId> {
         self.find(node).or_else(|| self.append_node(node))
     }
 
@@ -181,7 +202,7 @@ impl<R: Real> Features<'_, R> {
 }
 
 /// The attributes that do not place an object, except those of groups.
-fn sizes<'d>(domain: &'d Domain<'_>) -> impl Iterator<Item = (u8, Dimension)> + 'd {
+pub(super) fn sizes<'d>(domain: &'d Domain<'_>) -> impl Iterator<Item = (u8, Dimension)> + 'd {
     let slots = (0u8..).zip(domain.slots());
     let own = slots.filter(|(slot, (object, _))| object.member.is_none() && !domain.places(*slot));
     own.map(|(slot, (_, attribute))| (slot, attribute.dimension))

@@ -1,11 +1,12 @@
 //! The features that the grammar makes of a domain, enumerated into a table.
 
 use super::leaves::{Visit, attributes, coordinates, relations};
-use crate::domain::{Dimension, Domain, Node, NodeId, Sample, Scene};
+use crate::domain::{Dependence, Dimension, Domain, MAX_FEATURES, Node, NodeId, Sample, Scene};
 use crate::error::Error;
 use crate::real::Real;
 use crate::table::Table;
 use core::ops::Range;
+use heapless::Vec;
 
 /// The factors of scaled features (thesis 4.2).
 pub const FACTORS: [f64; 5] = [0.25, 0.5, 0.75, 1.25, 1.5];
@@ -102,6 +103,19 @@ pub struct Features<'m, R> {
     rhs: Blocks<MAX_COMPLEXITY>,
     /// How many of the features may be those of the grammar; the others are derived ones.
     room: usize,
+    /// The features that the text declares.
+    declared: Vec<Declared, MAX_FEATURES>,
+    /// Where the left sides begin.
+    first_lhs: usize,
+}
+
+/// A feature that the text declares.
+#[derive(Clone, Copy, Debug)]
+struct Declared {
+    /// Its operands are in the table.
+    node: Node,
+    dimension: Dimension,
+    sampled: bool,
 }
 
 impl<'m, R: Real> Features<'m, R> {
@@ -143,6 +157,8 @@ impl<'m, R: Real> Features<'m, R> {
             lhs: Default::default(),
             rhs: Default::default(),
             room,
+            declared: Vec::new(),
+            first_lhs: 0,
         }
     }
 
@@ -161,6 +177,8 @@ impl<'m, R: Real> Features<'m, R> {
         for factor in FACTORS {
             self.nodes.push(Node::Number(factor))?;
         }
+        self.declare(domain);
+        self.first_lhs = self.nodes.len();
         self.enumerate_lhs(domain);
         self.enumerate_rhs(domain, complexity.min(MAX_COMPLEXITY));
         Ok(())
@@ -218,11 +236,62 @@ impl<'m, R: Real> Features<'m, R> {
         evaluate(self.nodes.as_slice(), scene, theta, values);
     }
 
+    /// Where the left sides of the grammar begin: before them are the factors, and what the
+    /// features of the text are made of.
+    pub(crate) fn first_lhs(&self) -> usize {
+        self.first_lhs
+    }
+
+    /// Takes the features that the text declares, and keeps what they are made of.
+    fn declare(&mut self, domain: &Domain<'_>) {
+        for feature in domain.features() {
+            let (nodes, term) = (domain.nodes(), feature.term);
+            let node = match nodes.get(usize::from(term.0)) {
+                Some(node) => self.with_operands(nodes, *node),
+                None => None,
+            };
+            // What has no dimension is compared with plain numbers.
+            let dimension = domain.dimension(nodes, term).unwrap_or(Dimension::None);
+            let sampled = domain.dependence(nodes, term) == Dependence::Sample;
+            if let Some(node) = node {
+                let _ = self.declared.push(Declared {
+                    node,
+                    dimension,
+                    sampled,
+                });
+            }
+        }
+    }
+
+    /// A term of a list with its operands in the table; `None` if they find no room.
+    fn with_operands(&mut self, nodes: &[Node], node: Node) -> Option<Node> {
+        let Some((a, b, make)) = node.operands() else {
+            return Some(node);
+        };
+        let mut operand = |id: NodeId| {
+            let node = self.with_operands(nodes, *nodes.get(usize::from(id.0))?)?;
+            self.operand(node)
+        };
+        Some(make(operand(a)?, operand(b)?))
+    }
+
+    /// Visits the features that the text declares, of the sample or not.
+    fn declared(&self, dimension: Dimension, sampled: bool) -> Vec<Node, MAX_FEATURES> {
+        let declared = self.declared.iter();
+        let own = declared.filter(|own| own.dimension == dimension && own.sampled == sampled);
+        own.map(|own| own.node).collect()
+    }
+
     fn enumerate_lhs(&mut self, domain: &Domain<'_>) {
-        let room = self.room / 4;
+        let room = self.room / 4 + self.first_lhs - FACTORS.len();
         let sampled = !domain.parameters().is_empty();
         for dimension in Dimension::ALL {
+            let declared = self.declared(dimension, sampled);
             let block = self.append(room, |visit| {
+                declared.into_iter().for_each(&mut *visit);
+                if domain.compares() {
+                    return;
+                }
                 for (index, parameter) in (0u8..).zip(domain.parameters()) {
                     if parameter.dimension == dimension {
                         visit(Node::Parameter(index));
@@ -236,7 +305,11 @@ impl<'m, R: Real> Features<'m, R> {
             set_block(&mut self.lhs, 1, dimension, block);
         }
         for dimension in Dimension::ALL {
-            let block = self.append(room, |visit| relations(domain, dimension, sampled, visit));
+            let block = self.append(room, |visit| {
+                if !domain.compares() {
+                    relations(domain, dimension, sampled, visit);
+                }
+            });
             set_block(&mut self.lhs, 2, dimension, block);
         }
     }
@@ -260,7 +333,9 @@ impl<'m, R: Real> Features<'m, R> {
     }
 
     fn leaves(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
+        let declared = self.declared(dimension, false);
         self.append(usize::MAX, |visit| {
+            declared.into_iter().for_each(&mut *visit);
             for (index, constant) in (0u8..).zip(domain.constants()) {
                 if constant.dimension == dimension {
                     visit(Node::Constant(index));

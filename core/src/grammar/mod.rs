@@ -11,6 +11,7 @@ mod features;
 mod formula;
 mod hypotheses;
 mod kind;
+mod laws;
 mod leaves;
 
 pub(crate) use features::feature_id;

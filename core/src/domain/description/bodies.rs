@@ -64,7 +64,7 @@ impl<'t> DomainParser<'_, 't> {
             };
             return Err(self.lexer.fail_at(at, what));
         };
-        if self.domain.body_of(point).is_some() || self.domain.is_hidden(point) {
+        if self.domain.body_of(point).is_some() || self.domain.hidden.has(point) {
             return Err(self.lexer.fail_at(at, "this name has a shape already"));
         }
         Ok(point)
@@ -78,7 +78,7 @@ impl<'t> DomainParser<'_, 't> {
     }
 
     /// How many points share the name of a point: those of every member.
-    fn count_of(&self, point: u8) -> usize {
+    pub(super) fn count_of(&self, point: u8) -> usize {
         let member = self.member_of_point(point);
         member.map_or(1, |m| self.domain.members(m.group).len())
     }

@@ -1,6 +1,7 @@
 //! Reads the domain text; its grammar stands at the head of the parent module.
 
 mod bodies;
+mod features;
 mod numbers;
 mod objects;
 mod parser;
@@ -83,9 +84,16 @@ impl DomainParser<'_, '_> {
                 self.shape_statement()?;
             } else if self.lexer.accept("point") {
                 self.point_statement()?;
+            } else if self.lexer.accept("feature") {
+                self.feature_statement()?;
+            } else if self.lexer.accept("compare") {
+                self.compare_statement()?;
+            } else if self.lexer.accept("relate") {
+                self.relate_statement()?;
             } else {
                 return Err(self.lexer.fail(
-                    "expected a statement: type, object, constant, parameter, shape or point",
+                    "expected a statement: type, object, constant, parameter, shape, point, \
+                     feature, compare or relate",
                 ));
             }
         }

@@ -29,7 +29,7 @@ pub(super) fn is_word(name: &str) -> bool {
 }
 
 /// Most terms of one expression for an offset, turn, size or value.
-const MAX_TERMS: usize = 32;
+pub(super) const MAX_TERMS: usize = 32;
 
 pub(super) struct DomainParser<'d, 't> {
     pub(super) domain: &'d mut Domain<'t>,
@@ -113,6 +113,7 @@ impl<'t> DomainParser<'_, 't> {
             || domain.find_compound(name).is_some()
             || domain.find_constant(name).is_some()
             || domain.find_parameter(name).is_some()
+            || domain.find_feature(name).is_some()
             || domain.find_slot(name).is_some();
         if taken {
             return Err(self.lexer.fail_at(at, "this name is declared already"));

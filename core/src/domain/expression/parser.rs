@@ -2,7 +2,7 @@
 
 use super::properties::product_dimension;
 use super::words::{self, Function, UNKNOWN_FUNCTION};
-use crate::domain::node::intern;
+use crate::domain::node::{copy, intern};
 use crate::domain::{
     Beam, Dimension, Domain, Extreme, Metric, Node, NodeId, Quantity, SYMMETRIES, Share,
 };
@@ -141,6 +141,13 @@ impl ExpressionParser<'_, '_, '_> {
             let zero = self.intern(lexer, Node::Number(0.0))?;
             let inside = self.factor(lexer, depth)?;
             return self.join(lexer, Node::Difference(zero, inside));
+        }
+        if let Token::Name(name) = lexer.token()
+            && let Some(feature) = self.domain.find_feature(name)
+        {
+            lexer.advance();
+            let copied = copy(self.domain.nodes(), feature.term, self.nodes);
+            return copied.map_err(|full| lexer.note(full.into()));
         }
         let node = self.leaf(lexer)?;
         self.intern(lexer, node)

@@ -3,7 +3,7 @@
 use super::{DIMENSIONS, Forms};
 use crate::domain::{Dependence, Dimension, Domain, NodeId};
 use crate::error::Error;
-use crate::grammar::{FACTORS, Kind, feature_id};
+use crate::grammar::{Kind, feature_id};
 use crate::real::Real;
 use crate::table::Blank;
 
@@ -44,8 +44,8 @@ impl<R: Real> Forms<'_, R> {
             };
             let complexity = index / DIMENSIONS;
             let range = self.features.lhs(complexity + 1, *dimension);
-            // Left sides are the first features behind the factors.
-            let start = range.start.saturating_sub(FACTORS.len());
+            // Left sides stand together.
+            let start = range.start.saturating_sub(self.features.first_lhs());
             let len = range.len().min(room.saturating_sub(start));
             for feature in range.take(len) {
                 self.add_left(domain, feature_id(feature), Tier::Plain)?;

@@ -401,6 +401,10 @@ impl Columns {
                 Kind::Place(_) | Kind::Diagonal(_) | Kind::Free => {
                     sizes(Dimension::Length).complete(left, effort, base, length, visit);
                 }
+                // Compared with a threshold alone, as plain left sides are already.
+                Kind::Heading | Kind::Other if left.tier != Tier::Plain => {
+                    visit([Term::NONE; TERMS], length);
+                }
                 Kind::Heading | Kind::Other => {}
             }
         });
