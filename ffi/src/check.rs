@@ -113,7 +113,7 @@ fn out_of_range(expected: &'static str, number: u32) -> Failure {
     Failure::Number(expected, i32::try_from(number).unwrap_or(i32::MAX))
 }
 
-const _: () = assert!(MAX_SAMPLE_POINTS == 6, "an error names it");
+const _: () = assert!(MAX_SAMPLE_POINTS == 8, "an error names it");
 
 /// Whether a learner has room for the points that move with a parameter.
 fn check_points(domain: &Domain<'_>) -> Fallible {
@@ -122,7 +122,7 @@ fn check_points(domain: &Domain<'_>) -> Fallible {
         let count = u32::try_from(moving).unwrap_or(u32::MAX);
         return Err(Failure::TooMany(
             count,
-            "points move with a parameter, 6 fit",
+            "points move with a parameter, 8 fit",
         ));
     }
     Ok(())

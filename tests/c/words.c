@@ -48,12 +48,13 @@ static void texts(void)
                                 "point p1 = world + (a, 0) point p2 = world + (a, 1)\n"
                                 "point p3 = world + (a, 2) point p4 = world + (a, 3)\n"
                                 "point p5 = world + (a, 4) point p6 = world + (a, 5)\n"
-                                "point p7 = world + (a, 6)",
+                                "point p7 = world + (a, 6) point p8 = world + (a, 7)\n"
+                                "point p9 = world + (a, 8)",
                                 words, sizeof words, NULL));
-    EXPECT_TRUE(strcmp(words, "7 points move with a parameter, 6 fit") == 0);
+    EXPECT_TRUE(strcmp(words, "9 points move with a parameter, 8 fit") == 0);
     EXPECT(CRITREG_SYNTAX_ERROR,
-           critreg_check_region(DOMAIN, "reach <= wall.x / 2", words, sizeof words, NULL));
-    EXPECT_TRUE(strstr(words, "line 1, column 17: there is no division") == words);
+           critreg_check_region(DOMAIN, "reach <= wall.x ^ 2", words, sizeof words, NULL));
+    EXPECT_TRUE(strstr(words, "line 1, column 17: there are no powers") == words);
 }
 
 int main(void)

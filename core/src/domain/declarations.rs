@@ -186,6 +186,8 @@ pub struct Feature<'t> {
     pub name: &'t str,
     /// The expression, among the terms of the domain.
     pub term: NodeId,
+    /// What it measures, if the text says so.
+    pub dimension: Option<Dimension>,
 }
 
 /// Several bodies under one name.

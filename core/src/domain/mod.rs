@@ -27,7 +27,7 @@
 //! frame     = "world" | path ;                               (* an object or an earlier point *)
 //! turn      = factor | "(" expr "," expr "," expr ")" ;      (* yaw, or yaw, pitch, roll *)
 //! offset    = "(" expr "," expr [ "," expr ] ")" ;
-//! feature   = "feature" path "=" expr ;                      (* a name for an expression *)
+//! feature   = "feature" path "=" expr [ ":" dimension ] ;    (* a name for an expression *)
 //! compare   = "compare" expr { "," expr } ;                  (* these and no others *)
 //! relate    = "relate" path { "," path } ;                   (* these and no others *)
 //! expr      = term { ( "+" | "-" ) term } ;
@@ -103,10 +103,11 @@
 //!
 //! # Features
 //!
-//! Whoever knows a law writes it down once: `feature slide = v*v / (2 * 9.81 * ground.mu)` is
-//! compared as any other feature of the grammar, before all others, and regions call it by its
-//! name. It may have any dimension; one without a word, as a mass divided by a length, fits
-//! every number. `compare hand.x, slide` says that these, and the features with a name, are all
+//! Whoever knows a law writes it down once: `feature slide = v*v / (2*9.81*ground.mu): length`
+//! is compared as any other feature of the grammar, before all others, and regions call it by
+//! its name. What a product or a quotient measures is what the text says; without, it follows
+//! from the factors, and where there is no word for it, as for a mass divided by a length, it
+//! fits every number. `compare hand.x, slide` says that these, and the features with a name, are all
 //! that is compared, and `relate gripper, can` that relations between points and bodies are
 //! enumerated of these only.
 //!

@@ -15,7 +15,7 @@ use crate::real::Real;
 use heapless::Vec;
 
 /// Most points of a domain that depend on a parameter.
-pub const MAX_SAMPLE_POINTS: usize = 6;
+pub const MAX_SAMPLE_POINTS: usize = 8;
 
 /// Most numbers for the rotations of a scene: two for each object or turned point, if
 /// it is turned about the z axis, nine if it is tilted. A point that is turned like its

@@ -189,11 +189,10 @@ impl<'t> Domain<'t> {
         named.find(|feature| feature.name == name)
     }
 
-    /// The name of the feature that an expression of a list is.
-    pub(super) fn name_of_term(&self, nodes: &[Node], id: NodeId) -> Option<&'t str> {
+    /// The feature with a name that an expression of a list is.
+    pub(super) fn feature_of(&self, nodes: &[Node], id: NodeId) -> Option<&Feature<'t>> {
         let mut named = self.features.iter().filter(|f| !f.name.is_empty());
-        let same = |f: &&Feature<'_>| is_same(&self.nodes, f.term, nodes, id);
-        named.find(same).map(|feature| feature.name)
+        named.find(|feature| is_same(&self.nodes, feature.term, nodes, id))
     }
 
     /// Whether the body of a point is a circle, or a ball.

@@ -96,7 +96,14 @@ impl<'a, R: Real> Grounded<'a, R> {
         };
         let ends = [parameter.low, parameter.high].map(R::from_f64);
         let line: [&[R]; 2] = [&[R::ZERO], &[R::ONE]];
-        slice(&self.region.formula, &self.scene, line, ends, &mut self.set);
+        slice(
+            &self.region.formula,
+            &self.scene,
+            line,
+            ends,
+            true,
+            &mut self.set,
+        );
         Ok(())
     }
 
@@ -119,8 +126,9 @@ impl<'a, R: Real> Grounded<'a, R> {
 
     /// The admitted values of the action's only parameter, exactly.
     ///
-    /// Where a constraint has no closed form (a turn by the parameter, a sum of
-    /// two distances) the set is too large rather than too small.
+    /// Where a constraint has no closed form (a turn by the parameter, a sum of two
+    /// distances, a square) the set is too large rather than too small: by a millionth of the
+    /// parameter's range at each end, unless it has very many.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] unless the action has one parameter.
@@ -189,7 +197,7 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
         set: &mut IntervalSet<R>,
     ) -> Result<(), Error> {
         let line = line.map(Vector::as_slice);
-        slice(&self.region.formula, &self.scene, line, ends, set);
+        slice(&self.region.formula, &self.scene, line, ends, false, set);
         Ok(())
     }
 
@@ -213,7 +221,7 @@ impl<R: Real> ParameterSet<R> for Grounded<'_, R> {
 }
 
 /// Whether `difference comparison 0` holds over a range, allowing for rounding.
-fn range_truth<R: Real>(comparison: Comparison, gap: Range<R>) -> Truth {
+pub(super) fn range_truth<R: Real>(comparison: Comparison, gap: Range<R>) -> Truth {
     let slack = R::EPSILON * R::from_f64(64.0);
     let above = gap.low * (R::ONE - slack) > slack;
     let below = gap.high * (R::ONE - slack) < -slack;

@@ -12,6 +12,7 @@ mod bytes;
 mod choices;
 mod export;
 mod ground;
+mod halving;
 mod intersection;
 mod interval;
 mod lifted;

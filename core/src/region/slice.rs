@@ -1,9 +1,10 @@
 //! What a region admits along a line of parameters, exactly.
 
 use super::choices::{Along, Choices};
+use super::halving::halve;
 use super::interval::{Builder, IntervalSet};
 use crate::domain::{Curve, Line, MAX_PARAMETERS, Node, Sample, Scene};
-use crate::grammar::{Comparison, Constraint, Formula, MAX_CONSTRAINTS};
+use crate::grammar::{Comparison, Constraint, Formula, MAX_CONSTRAINTS, Truth};
 use crate::real::Real;
 use heapless::Vec;
 
@@ -17,12 +18,13 @@ const MAX_BREAKS: usize = 2 * MAX_CONSTRAINTS;
 ///
 /// The line is cut at the roots of the constraints. Between two neighbouring roots nothing
 /// changes. At a root its constraint holds if it admits equality. Where a constraint has
-/// no closed form, the set is too large.
+/// no closed form, the set is too large: by little if the line is to be halved there.
 pub(super) fn slice<R: Real>(
     formula: &Formula,
     scene: &Scene<'_, R>,
     [origin, direction]: [&[R]; 2],
     ends: [R; 2],
+    halves: bool,
     set: &mut IntervalSet<R>,
 ) {
     let mut theta: Vec<Line<R>, MAX_PARAMETERS> = Vec::new();
@@ -38,7 +40,7 @@ pub(super) fn slice<R: Real>(
         theta: &theta,
         sample: &sample,
     };
-    cut(formula, along, ends, set);
+    cut(formula, along, ends, halves, set);
 }
 
 /// Cuts a line at the roots of a formula's constraints. Not inlined, so that its breaks
@@ -48,6 +50,7 @@ fn cut<R: Real>(
     formula: &Formula,
     along: Along<'_, '_, R>,
     ends: [R; 2],
+    halves: bool,
     set: &mut IntervalSet<R>,
 ) {
     let nodes = formula.nodes();
@@ -59,31 +62,47 @@ fn cut<R: Real>(
             true => cut.add(owner, &curve, constraint.comparison),
             false => cut.add_without_curve(owner, along, nodes, constraint),
         };
-        if added.is_none() {
-            cut.add_unknown(owner);
+        if added.is_some() {
+            continue;
         }
+        cut.forget(owner);
+        if halves && cut.add_halves(owner, along, nodes, constraint).is_some() {
+            continue;
+        }
+        cut.forget(owner);
+        cut.begin(owner, UNKNOWN);
     }
     cut.write(formula, set);
 }
 
-/// The constraint that a root belongs to, and whether that constraint holds after it:
-/// twice the index of the constraint, plus one if so. Roots are this small because many
-/// may be on the stack.
+const UNKNOWN: Truth = Truth {
+    may_hold: true,
+    may_fail: true,
+};
+
+/// The constraint that a root belongs to, and what is known of that constraint after it: four
+/// times the index of the constraint, plus a bit each if it may hold and if it may fail. Roots
+/// are this small because many may be on the stack.
 #[derive(Clone, Copy)]
 struct Root(u8);
 
 impl Root {
-    fn new(owner: u8, then_holds: bool) -> Root {
-        Root(owner << 1 | u8::from(then_holds))
+    fn new(owner: u8, then: Truth) -> Root {
+        Root(owner << 2 | u8::from(then.may_fail) << 1 | u8::from(then.may_hold))
     }
 
     /// Index of the constraint.
     fn owner(self) -> u8 {
-        self.0 >> 1
+        self.0 >> 2
     }
 
-    fn then_holds(self) -> bool {
-        self.0 & 1 == 1
+    /// The bit of the constraint where it may hold after the root, and where it may fail.
+    fn then(self) -> Masks {
+        let own = |known: u8| if known == 0 { 0 } else { bit(self.owner()) };
+        Masks {
+            hold: own(self.0 & 1),
+            fail: own(self.0 & 2),
+        }
     }
 }
 
@@ -95,11 +114,11 @@ struct Masks {
 }
 
 impl Masks {
-    /// The same, but the constraints `which` hold or fail as `holding` says.
-    fn with(self, which: u32, holding: u32) -> Masks {
+    /// The same, but the constraints `which` hold or fail as `then` says.
+    fn with(self, which: u32, then: Masks) -> Masks {
         Masks {
-            hold: (self.hold & !which) | (which & holding),
-            fail: (self.fail & !which) | (which & !holding),
+            hold: (self.hold & !which) | (which & then.hold),
+            fail: (self.fail & !which) | (which & then.fail),
         }
     }
 }
@@ -118,6 +137,8 @@ struct Cut<R> {
     first: Masks,
     /// Constraints that hold where their two sides are equal.
     admit_equal: u32,
+    /// Constraints of which somewhere it is not known whether they hold.
+    unknown: u32,
     /// The positions of all roots between the ends, ascending.
     breaks: Vec<R, MAX_BREAKS>,
     /// The roots at these positions. Pairs of both would need more room.
@@ -130,6 +151,7 @@ impl<R: Real> Cut<R> {
             ends,
             first: Masks::default(),
             admit_equal: 0,
+            unknown: 0,
             breaks: Vec::new(),
             roots: Vec::new(),
         }
@@ -152,28 +174,31 @@ impl<R: Real> Cut<R> {
         let mut end = high;
         // A root that was found twice counts once: nothing lies between.
         if inside(b) && !(is_root && a == b) {
-            self.insert(owner, b, holds_between(b, end))?;
+            self.insert(owner, b, holds_between(b, end).into())?;
             end = b;
         }
         if is_root {
-            self.insert(owner, a, holds_between(a, end))?;
+            self.insert(owner, a, holds_between(a, end).into())?;
             end = a;
         }
-        self.begin(owner, comparison, holds_between(low, end));
+        self.at_roots(owner, comparison);
+        self.begin(owner, holds_between(low, end).into());
         Some(())
     }
 
-    /// Notes whether a constraint holds before its first root, and whether at its roots.
-    fn begin(&mut self, owner: u8, comparison: Comparison, holds: bool) {
-        let bit = bit(owner);
+    /// Notes whether a constraint holds at its roots.
+    fn at_roots(&mut self, owner: u8, comparison: Comparison) {
         if comparison.admits_equal() {
-            self.admit_equal |= bit;
+            self.admit_equal |= bit(owner);
         }
-        *(if holds {
-            &mut self.first.hold
-        } else {
-            &mut self.first.fail
-        }) |= bit;
+    }
+
+    /// Notes what is known of a constraint before its first root.
+    fn begin(&mut self, owner: u8, first: Truth) {
+        let masks = Root::new(owner, first).then();
+        self.first.hold |= masks.hold;
+        self.first.fail |= masks.fail;
+        self.unknown |= masks.hold & masks.fail;
     }
 
     /// As [`Cut::add`], for a constraint with extremes: cuts at those roots of all choices
@@ -186,17 +211,18 @@ impl<R: Real> Cut<R> {
             for at in curve.roots().into_iter().filter(passes) {
                 let mut known = self.breaks.iter().zip(&self.roots);
                 if !known.any(|(place, root)| root.owner() == owner && *place == at) {
-                    self.insert(owner, at, false)?;
+                    self.insert(owner, at, false.into())?;
                 }
             }
         }
         let holds_between = |a: R, b: R| choices.holds(middle(a, b));
         let all = self.breaks.iter().zip(&mut self.roots).rev();
         for (at, root) in all.filter(|(_, root)| root.owner() == owner) {
-            *root = Root::new(owner, holds_between(*at, end));
+            *root = Root::new(owner, holds_between(*at, end).into());
             end = *at;
         }
-        self.begin(owner, choices.comparison(), holds_between(low, end));
+        self.at_roots(owner, choices.comparison());
+        self.begin(owner, holds_between(low, end).into());
         Some(())
     }
 
@@ -213,10 +239,36 @@ impl<R: Real> Cut<R> {
         self.add_choices(owner, &Choices::new(along, nodes, constraint)?)
     }
 
-    /// Notes that a constraint may hold or fail anywhere, and none of its roots.
-    fn add_unknown(&mut self, owner: u8) {
-        self.first.hold |= bit(owner);
-        self.first.fail |= bit(owner);
+    /// As [`Cut::add`], for a constraint that has no closed form: cuts between where it holds,
+    /// where it fails, and where that is not known.
+    #[inline(never)]
+    fn add_halves(
+        &mut self,
+        owner: u8,
+        along: Along<'_, '_, R>,
+        nodes: &[Node],
+        constraint: &Constraint,
+    ) -> Option<()> {
+        let mut known = None;
+        halve(along, nodes, constraint, self.ends, &mut |at, truth| {
+            let before = known.replace(truth);
+            match before {
+                None => self.begin(owner, truth),
+                Some(before) if before == truth => {}
+                Some(_) => self.insert(owner, at, truth)?,
+            }
+            Some(())
+        })?;
+        // What holds or fails on one side of a cut is not known there.
+        self.admit_equal |= bit(owner);
+        Some(())
+    }
+
+    /// Notes no roots of a constraint.
+    fn forget(&mut self, owner: u8) {
+        let own = bit(owner);
+        self.first = self.first.with(own, Masks::default());
+        self.unknown &= !own;
         let mut kept = 0;
         for index in 0..self.roots.len() {
             let (Some(at), Some(root)) = (
@@ -238,11 +290,12 @@ impl<R: Real> Cut<R> {
     }
 
     /// Inserts a root, keeping the order; `None` if there is no room for it.
-    fn insert(&mut self, owner: u8, at: R, then_holds: bool) -> Option<()> {
+    fn insert(&mut self, owner: u8, at: R, then: Truth) -> Option<()> {
         if self.breaks.is_full() {
             return None;
         }
-        let (mut at, mut root) = (at, Root::new(owner, then_holds));
+        let (mut at, mut root) = (at, Root::new(owner, then));
+        self.unknown |= root.then().hold & root.then().fail;
         for (place, other) in self.breaks.iter_mut().zip(&mut self.roots) {
             if at < *place {
                 core::mem::swap(place, &mut at);
@@ -263,25 +316,26 @@ impl<R: Real> Cut<R> {
             None => formula.truth_of_masks(masks.hold, masks.fail).may_hold,
         };
         let mut masks = self.first;
-        let mut builder = Builder::new(set, masks.hold & masks.fail == 0);
+        let mut builder = Builder::new(set, self.unknown == 0);
         let mut breaks = self.breaks.iter().zip(&self.roots);
         let mut next = breaks.next();
         let [mut at, high] = self.ends;
         loop {
-            let (mut owners, mut then_hold) = (0, 0);
+            let (mut owners, mut then) = (0, Masks::default());
             while let Some((place, root)) = next
                 && *place == at
             {
                 owners |= bit(root.owner());
-                then_hold |= if root.then_holds() {
-                    bit(root.owner())
-                } else {
-                    0
-                };
+                then.hold |= root.then().hold;
+                then.fail |= root.then().fail;
                 next = breaks.next();
             }
-            let here = truth(masks.with(owners, self.admit_equal));
-            masks = masks.with(owners, then_hold);
+            let equal = Masks {
+                hold: self.admit_equal,
+                fail: !self.admit_equal,
+            };
+            let here = truth(masks.with(owners, equal));
+            masks = masks.with(owners, then);
             let goes_on = at < high;
             builder.step(at, here, goes_on && truth(masks));
             if !goes_on {

@@ -4,6 +4,7 @@ mod bodies;
 mod bodies_angles;
 mod bodies_compound;
 mod bodies_sight;
+mod division;
 mod groups;
 mod intersection;
 mod large_numbers;

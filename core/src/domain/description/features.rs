@@ -4,8 +4,8 @@
 use super::parser::{DomainParser, MAX_TERMS};
 use crate::domain::compound::FIRST_COMPOUND;
 use crate::domain::node::copy;
-use crate::domain::{Dependence, Feature, Node};
-use crate::text::Failed;
+use crate::domain::{Dependence, Dimension, Feature, Node};
+use crate::text::{Failed, Place};
 use heapless::Vec;
 
 impl<'t> DomainParser<'_, 't> {
@@ -13,7 +13,13 @@ impl<'t> DomainParser<'_, 't> {
     pub(super) fn feature_statement(&mut self) -> Result<(), Failed> {
         let name = self.new_name("expected the name of the feature", true)?;
         self.lexer.expect("=", "expected `=` and an expression")?;
-        self.feature(name)
+        let at = self.lexer.place();
+        self.feature(name)?;
+        if self.lexer.accept(":") {
+            let dimension = self.dimension()?;
+            return self.measure_last(dimension, at);
+        }
+        Ok(())
     }
 
     /// Reads what alone is compared, beside the features with a name.
@@ -73,8 +79,33 @@ impl<'t> DomainParser<'_, 't> {
         }
         let term = copy(&nodes, read, &mut self.domain.nodes)
             .map_err(|full| self.lexer.note(full.into()))?;
-        let feature = Feature { name, term };
+        let feature = Feature {
+            name,
+            term,
+            dimension: None,
+        };
         let pushed = self.domain.features.push(feature);
         pushed.map_err(|_| self.lexer.full("features of a domain"))
+    }
+
+    /// Says what the last feature measures. Laws of physics have units that no word is for,
+    /// so it may be anything where the expression is a product or a quotient.
+    fn measure_last(&mut self, dimension: Dimension, at: Place) -> Result<(), Failed> {
+        let Some(last) = self.domain.features.last().copied() else {
+            return Ok(());
+        };
+        let nodes = &self.domain.nodes;
+        let node = nodes.get(usize::from(last.term.0));
+        let is_law = matches!(node, Some(Node::Product(..) | Node::Quotient(..)));
+        let measured = self.domain.dimension(nodes, last.term);
+        if !is_law && measured.is_some_and(|own| own != dimension) {
+            return Err(self
+                .lexer
+                .fail_at(at, "the expression has another dimension than the feature"));
+        }
+        if let Some(last) = self.domain.features.last_mut() {
+            last.dimension = Some(dimension);
+        }
+        Ok(())
     }
 }

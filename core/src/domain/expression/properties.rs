@@ -17,6 +17,11 @@ pub enum Dependence {
 impl Domain<'_> {
     /// What an expression measures; `None` for a literal, which fits anything.
     pub fn dimension(&self, nodes: &[Node], id: NodeId) -> Option<Dimension> {
+        if let Some(feature) = self.feature_of(nodes, id)
+            && feature.dimension.is_some()
+        {
+            return feature.dimension;
+        }
         match node_at(nodes, id).ok()? {
             Node::Number(_) => None,
             Node::Constant(i) => self.constants().get(usize::from(i)).map(|c| c.dimension),

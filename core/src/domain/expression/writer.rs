@@ -30,8 +30,8 @@ impl Domain<'_> {
         let Ok(node) = node_at(nodes, id) else {
             return Err(fmt::Error);
         };
-        if let Some(name) = self.name_of_term(nodes, id) {
-            return out.write_str(name);
+        if let Some(feature) = self.feature_of(nodes, id) {
+            return out.write_str(feature.name);
         }
         if let Some(negated) = negated(nodes, node) {
             out.write_char('-')?;
