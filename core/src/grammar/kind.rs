@@ -36,24 +36,41 @@ impl Kind {
             Some(dimension) => Kind::Size(dimension),
             None => Kind::Other,
         };
-        match *node {
-            Node::Quantity(Quantity::Coordinate(Coordinate::X, _)) => Kind::Place(0),
-            Node::Quantity(Quantity::Coordinate(Coordinate::Y, _)) => Kind::Place(1),
-            Node::Quantity(Quantity::Coordinate(Coordinate::Z, _)) => Kind::Place(2),
-            Node::Quantity(Quantity::Coordinate(Coordinate::Theta, _)) => Kind::Heading,
-            Node::Quantity(Quantity::Attribute(slot)) => match domain.axis_of(slot) {
+        let quantity = match *node {
+            Node::Quantity(quantity) | Node::Extreme(_, quantity) => Some(quantity),
+            _ => None,
+        };
+        match (quantity, *node) {
+            (Some(Quantity::Coordinate(Coordinate::X, _)), _) => Kind::Place(0),
+            (Some(Quantity::Coordinate(Coordinate::Y, _)), _) => Kind::Place(1),
+            (Some(Quantity::Coordinate(Coordinate::Z, _)), _) => Kind::Place(2),
+            (Some(Quantity::Coordinate(Coordinate::Theta, _)), _) => Kind::Heading,
+            (Some(Quantity::Attribute(slot)), _) => match domain.axis_of(slot) {
                 Some(axis) => Kind::Place(axis),
                 None if domain.places(slot) => Kind::Heading,
                 None => sized(),
             },
-            Node::Parameter(_) if sized() == Kind::Size(Dimension::Length) => Kind::Free,
-            Node::Sum(a, b) if coordinate(a).is_some() && coordinate(b).is_some() => {
+            (None, Node::Parameter(_)) if sized() == Kind::Size(Dimension::Length) => Kind::Free,
+            (None, Node::Sum(a, b)) if coordinate(a).is_some() && coordinate(b).is_some() => {
                 Kind::Diagonal(true)
             }
-            Node::Difference(a, b) if coordinate(a).is_some() && coordinate(b).is_some() => {
+            (None, Node::Difference(a, b))
+                if coordinate(a).is_some() && coordinate(b).is_some() =>
+            {
                 Kind::Diagonal(false)
             }
             _ => sized(),
+        }
+    }
+
+    /// Whether a feature is a share of a coordinate, which says something else as soon as the
+    /// whole scene is moved.
+    pub(crate) fn is_share_of_place(domain: &Domain<'_>, nodes: &[Node], id: NodeId) -> bool {
+        match nodes.get(usize::from(id.0)) {
+            Some(Node::Product(_, of)) => {
+                matches!(Kind::of(domain, nodes, *of), Kind::Place(_))
+            }
+            _ => false,
         }
     }
 }

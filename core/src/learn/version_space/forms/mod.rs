@@ -40,7 +40,7 @@ use crate::domain::{
 };
 use crate::error::Error;
 use crate::geometry::Relation;
-use crate::grammar::{Features, feature_id};
+use crate::grammar::{Features, Kind, feature_id};
 use crate::learn::{Problem, Query};
 use crate::real::Real;
 use crate::region::Theta;
@@ -293,7 +293,9 @@ impl<'m, R: Real> Forms<'m, R> {
             let nodes = self.features.nodes();
             let scaled = matches!(nodes.get(feature), Some(Node::Product(..)));
             let id = feature_id(feature);
-            let varies = problem.domain().dependence(nodes, id) == Dependence::Instance;
+            let domain = problem.domain();
+            let varies = domain.dependence(nodes, id) == Dependence::Instance
+                && !Kind::is_share_of_place(domain, nodes, id);
             if varies && scaled == (level == 3) && self.is_new(problem.count(), feature) {
                 self.rhs_features.push(id.0)?;
             }
