@@ -49,6 +49,9 @@ const HUNDREDTHS: f32 = 9.6;
 /// The greatest factor, in hundredths.
 const MOST: i16 = 200;
 
+/// The fewest bits that a term takes: one column with a factor of one.
+const SHORTEST_TERM: f32 = 3.0;
+
 /// What the samples of an instance say about a left side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End<R> {
@@ -106,8 +109,8 @@ struct Columns {
     places: Vec<Column, MAX_BASES>,
 }
 
-/// Takes a right side and its length in bits.
-type Visit<'v> = &'v mut dyn FnMut([Term; TERMS], f32);
+/// Takes a right side and its length in bits. Returns how long one may be to be looked at.
+type Visit<'v> = &'v mut dyn FnMut([Term; TERMS], f32) -> f32;
 
 impl<R: Real> Forms<'_, R> {
     /// Looks for sums that exclude many infeasible samples of a step, and keeps the best,
@@ -229,31 +232,53 @@ impl<R: Real> Forms<'_, R> {
         effort: Effort,
     ) -> Vec<Sum, OF_EACH> {
         let base = self.left_length(lhs, left, upper);
-        let most = self.ends.iter().map(|end| end.count).sum::<u32>() as f32;
+        let most = self.most_excluded() as f32;
         let mut best: Vec<Sum, OF_EACH> = Vec::new();
+        if most == 0.0 {
+            return best;
+        }
+        // A longer one would not be among the best if it excluded all that any can.
+        let mut longest = f32::INFINITY;
         columns.for_each_right(left, effort, &mut |terms, length| {
             let length = base + length;
-            // Whether it could be among the best if it excluded everything.
-            let hopeless = |least: &Sum| most / length <= least.worth;
-            if best.is_full() && best.last().is_some_and(hopeless) {
-                return;
+            if length >= longest {
+                return longest - base;
             }
             let count = self.count_excluded(&terms, upper);
-            if count == 0 {
-                return;
-            }
-            insert(
-                &mut best,
-                Sum {
+            if count > 0 {
+                let sum = Sum {
                     terms,
                     length,
                     worth: count as f32 / length,
                     lhs: lhs as u8,
                     kept: true,
-                },
-            );
+                };
+                insert(&mut best, sum);
+            }
+            if let Some(least) = best.last().filter(|_| best.is_full()) {
+                longest = most / least.worth;
+            }
+            longest - base
         });
         best
+    }
+
+    /// How many infeasible samples a right side can exclude at most: those that lie farther
+    /// out than what works in their instance, whatever is subtracted there.
+    fn most_excluded(&self) -> usize {
+        let own = |end: &End<R>| {
+            let beyond = |failure: &&Failure<R>| failure.value > end.feasible;
+            self.failures_of(end).iter().take_while(beyond).count()
+        };
+        self.ends.iter().map(own).sum()
+    }
+
+    /// The infeasible samples of an instance; what lies farther out stands before.
+    #[inline(always)]
+    fn failures_of(&self, end: &End<R>) -> &[Failure<R>] {
+        let first = end.first as usize;
+        let own = self.failures.get(first..first + end.count as usize);
+        own.unwrap_or(&[])
     }
 
     /// What it takes to name a left side and a direction, in bits.
@@ -280,21 +305,25 @@ impl<R: Real> Forms<'_, R> {
         let right_side = RightSide::of(terms, upper);
         let rows = self.values.rhs.chunks_exact(self.values.rhs_count.max(1));
         let instances = || self.ends.iter().zip(rows.clone());
-        let mut last = R::NEG_INFINITY;
+        // How far out something works, and how far out something fails.
+        let (mut last, mut reach) = (R::NEG_INFINITY, R::NEG_INFINITY);
         for (end, row) in instances() {
+            let right = right_side.value(row);
             if end.feasible > R::NEG_INFINITY {
-                last = last.max(end.feasible - right_side.value(row));
+                last = last.max(end.feasible - right);
             }
+            if let [outermost, ..] = self.failures_of(end) {
+                reach = reach.max(outermost.value - right);
+            }
+        }
+        if !excludes(last, reach, true) {
+            return 0;
         }
         let mut count = 0;
         for (end, row) in instances().filter(|(end, _)| end.count > 0) {
             let right = right_side.value(row);
-            let first = end.first as usize;
-            let own = self.failures.get(first..first + end.count as usize);
-            // What lies farther out stands before.
-            let own = own.unwrap_or(&[]).iter();
             let beyond = |failure: &&Failure<R>| excludes(last, failure.value - right, true);
-            count += own.take_while(beyond).count() as u32;
+            count += self.failures_of(end).iter().take_while(beyond).count() as u32;
         }
         count
     }
@@ -403,7 +432,7 @@ impl Columns {
                 }
                 // Compared with a threshold alone, as plain left sides are already.
                 Kind::Heading | Kind::Other if left.tier != Tier::Plain => {
-                    visit([Term::NONE; TERMS], length);
+                    let _ = visit([Term::NONE; TERMS], length);
                 }
                 Kind::Heading | Kind::Other => {}
             }
@@ -488,8 +517,9 @@ impl Sizes<'_> {
     ) {
         let diagonal = second.is_some();
         // Without terms, or with a place alone, plain left sides are forms already.
+        let mut longest = f32::INFINITY;
         if left.tier != Tier::Plain || diagonal {
-            visit([base, second, Term::NONE], length);
+            longest = visit([base, second, Term::NONE], length);
         }
         let with = |first: Term, rest: Term| match (base.is_some(), diagonal) {
             (false, _) => [first, rest, Term::NONE],
@@ -501,7 +531,9 @@ impl Sizes<'_> {
             Effort::Thorough => Factors::Any,
         };
         self.for_each_term(any, &mut |_, first, cost| {
-            visit(with(first, Term::NONE), length + cost);
+            if length + cost < longest {
+                longest = visit(with(first, Term::NONE), length + cost);
+            }
         });
         let (pairs, factors) = match (left.tier, effort) {
             (Tier::Plain, Effort::Simple) | (Tier::Derived, Effort::Thorough) => {
@@ -515,10 +547,15 @@ impl Sizes<'_> {
         }
         let is_relation = |place: usize| self.columns.get(place).is_some_and(|c| c.relation);
         self.for_each_term(factors, &mut |index, first, cost| {
+            let length = length + cost;
+            if length + SHORTEST_TERM >= longest {
+                return;
+            }
             self.for_each_term(factors, &mut |other, rest, more| {
                 // Sums of two distances say little.
-                if other > index && !(is_relation(index) && is_relation(other)) {
-                    visit(with(first, rest), length + cost + more);
+                let says = other > index && !(is_relation(index) && is_relation(other));
+                if says && length + more < longest {
+                    longest = visit(with(first, rest), length + more);
                 }
             });
         });
@@ -549,8 +586,10 @@ impl Sizes<'_> {
             for (hundredths, bits) in FACTORS.iter().take(simple) {
                 term(*hundredths, *bits);
             }
+            // Of a size any share may count, of a distance hardly.
+            let any = factors == Factors::Any && !column.relation;
             let fine = (1..=MOST).filter(|h| !FACTORS.iter().any(|(f, _)| f == h));
-            for hundredths in fine.filter(|_| factors == Factors::Any) {
+            for hundredths in fine.filter(|_| any) {
                 let bits = match hundredths % 5 {
                     0 => TWENTIETHS,
                     _ => HUNDREDTHS,

@@ -120,18 +120,19 @@ impl<R: Real> RightSide<R> {
         let sign = if upper { 1.0 } else { -1.0 };
         let terms = terms.map(|term| {
             let factor = R::from_f64(sign * term.factor());
-            (usize::from(term.column), factor)
+            // No term is any column, and none of it.
+            let column = if term.is_some() { term.column } else { 0 };
+            (usize::from(column), factor)
         });
         RightSide { terms }
     }
 
-    /// The value where those of all columns are in a row.
+    /// The value where those of all columns are in a row; they are finite.
     #[inline(always)]
     pub(super) fn value(&self, row: &[R]) -> R {
         let terms = self.terms.iter();
-        terms.fold(R::ZERO, |sum, (column, factor)| match row.get(*column) {
-            Some(value) => sum + *value * *factor,
-            None => sum,
+        terms.fold(R::ZERO, |sum, (column, factor)| {
+            sum + row.get(*column).copied().unwrap_or(R::ZERO) * *factor
         })
     }
 }
