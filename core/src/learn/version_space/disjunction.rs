@@ -2,12 +2,14 @@
 //!
 //! Two bounds of one form exclude an interval of its values. Bounds of two forms
 //! make a feasible set of two pieces: a conjunction of such clauses is a union
-//! of conjunctions, with what they have in common said once.
+//! of conjunctions, with what they have in common said once. And several intervals of one
+//! form make as many windows, as the sides of a nut that a hand can take it by.
 
 use super::bound::Bound;
 use super::clause::Clause;
 use super::forms::{DirectedForm, SampleSet, StepView};
 use super::greedy::Randomisation;
+use super::hypothesis::MAX_CLAUSES;
 use super::tuning::Tuning;
 use crate::real::Real;
 use crate::table::{gather, move_last, take_out};
@@ -35,6 +37,91 @@ pub(super) fn best_disjunction<R: Real>(
         }
     }
     best.0.map(|candidate| candidate.clause)
+}
+
+/// Most intervals of a form that are looked at.
+const MAX_INTERVALS: usize = 24;
+/// Fewer samples in an interval between others are no reason for it.
+const FEWEST_INSIDE: usize = 2;
+
+/// The bounds and excluded intervals of a single simple form that exclude most of `open`.
+#[inline(never)]
+pub(super) fn best_windows<R: Real>(
+    view: &StepView<'_, '_, R>,
+    open: &SampleSet,
+) -> Vec<Clause<R>, MAX_CLAUSES> {
+    let tuning = view.forms.tuning();
+    let (mut best, mut most) = (Vec::new(), 0.0);
+    view.forms.for_each(tuning.pair_level as u8, |form| {
+        if !form.upper {
+            return;
+        }
+        let mut windows: Vec<(usize, Clause<R>), MAX_CLAUSES> = Vec::new();
+        let mut open = *open;
+        for _ in 0..MAX_INTERVALS {
+            let Some(pivot) = open.iter().next() else {
+                break;
+            };
+            let window = excluded_around(view, form, pivot, &mut open);
+            if let Some(window) = window {
+                insert_sorted(&mut windows, MAX_CLAUSES, window, |a, b| a.0 > b.0);
+            }
+        }
+        let excluded: usize = windows.iter().map(|(count, _)| count).sum();
+        let discount = Randomisation::GREEDY.discount(form.level, tuning);
+        let worth = excluded as f64 * (1.0 - discount);
+        if worth > most {
+            (best, most) = (gather(windows.iter().map(|(_, clause)| *clause)), worth);
+        }
+    });
+    best
+}
+
+/// The clause that excludes the values of a form around a sample at which nothing works, and
+/// how many samples of `open` it takes out of that.
+fn excluded_around<R: Real>(
+    view: &StepView<'_, '_, R>,
+    below: DirectedForm,
+    pivot: usize,
+    open: &mut SampleSet,
+) -> Option<(usize, Clause<R>)> {
+    let at = view.value(&below, pivot);
+    let [low, high] = neighbours(view, &below, at);
+    let mut inside = SampleSet::EMPTY;
+    inside.insert(pivot);
+    let value = |sample: &usize| view.value(&below, *sample);
+    for sample in open.iter().filter(|s| low < value(s) && value(s) < high) {
+        inside.insert(sample);
+    }
+    open.subtract(&inside);
+    let count = inside.len();
+    let clause = match (low.is_finite(), high.is_finite()) {
+        _ if !(low < at && at < high) => return None,
+        (false, false) => return None,
+        (true, false) => Clause::new(Bound::inside(view, below)),
+        (false, true) => Clause::new(Bound::inside(view, below.reversed())),
+        (true, true) if count < FEWEST_INSIDE => return None,
+        (true, true) => Clause::any_of(
+            Bound::new(below, low, at, R::ONE),
+            Bound::new(below.reversed(), -high, -at, R::ONE),
+        ),
+    };
+    Some((count, clause))
+}
+
+/// The values of a form at feasible samples that are next to a value, below it and not below
+/// it.
+fn neighbours<R: Real>(view: &StepView<'_, '_, R>, form: &DirectedForm, at: R) -> [R; 2] {
+    let (mut low, mut high) = (R::NEG_INFINITY, R::INFINITY);
+    for sample in view.feasible.iter() {
+        let value = view.value(form, sample);
+        if value < at {
+            low = low.max(value);
+        } else {
+            high = high.min(value);
+        }
+    }
+    [low, high]
 }
 
 /// A clause and what it is worth.
@@ -117,14 +204,7 @@ impl<R: Real> Search<'_, '_, '_, R> {
     fn interval(&self, below: DirectedForm) -> Option<Candidate<R>> {
         let value = |sample: usize| self.view.value(&below, sample);
         let at = value(self.pivot);
-        let (mut low, mut high) = (R::NEG_INFINITY, R::INFINITY);
-        for value in self.view.feasible.iter().map(value) {
-            if value < at {
-                low = low.max(value);
-            } else {
-                high = high.min(value);
-            }
-        }
+        let [low, high] = neighbours(self.view, &below, at);
         if !(low.is_finite() && high.is_finite() && at < high) {
             return None;
         }

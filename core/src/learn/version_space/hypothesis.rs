@@ -8,7 +8,7 @@
 
 use super::bound::Bound;
 use super::clause::Clause;
-use super::disjunction::best_disjunction;
+use super::disjunction::{best_disjunction, best_windows};
 use super::forms::{Forms, SampleSet, StepView};
 use super::greedy::{Randomisation, best_form};
 use crate::random::Generator;
@@ -90,6 +90,14 @@ impl<R: Real> Hypothesis<R> {
         if let Some(disjunction) = best_disjunction(view, &open) {
             let _ = self.clauses.push(disjunction);
         }
+        self.extend(view, Randomisation::GREEDY, 0.0, rng);
+    }
+
+    /// As [`Hypothesis::cover`], behind the windows of a single form.
+    #[inline(never)]
+    pub(super) fn cover_with_windows(&mut self, view: &StepView<'_, '_, R>, rng: &mut Generator) {
+        self.clear();
+        self.clauses = best_windows(view, &view.infeasible);
         self.extend(view, Randomisation::GREEDY, 0.0, rng);
     }
 

@@ -334,7 +334,7 @@ fn select<R: Real>(
     for (step, (best, others)) in committee.steps_mut() {
         let view = StepView::new(forms, step);
         let mut least = rate(best, &view, &objective);
-        for candidate in 0..candidates + disjunctions {
+        for candidate in 0..=candidates + disjunctions {
             let (inconsistent, length, _) = least;
             match (others.get(candidate), candidate.checked_sub(candidates)) {
                 (Some(known), _) => other.copy_from(known),
@@ -343,7 +343,11 @@ fn select<R: Real>(
                     other.cover(&view, randomisation, 0.0, rng);
                 }
                 (None, Some(simple)) if inconsistent || length > tuning.disjunctions_beyond => {
-                    other.cover_with_disjunction(&view, simple, rng);
+                    if simple < disjunctions {
+                        other.cover_with_disjunction(&view, simple, rng);
+                    } else {
+                        other.cover_with_windows(&view, rng);
+                    }
                 }
                 _ => break,
             }
