@@ -43,10 +43,10 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     forms       observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            183144 bytes           35448 bytes
- *           4096           256            711816 bytes           47224 bytes
- *          10000           256           1401456 bytes           56064 bytes
- *          20000           256           2383952 bytes           71064 bytes
+ *           1024           128            183576 bytes           35880 bytes
+ *           4096           256            712248 bytes           47656 bytes
+ *          10000           256           1401888 bytes           56496 bytes
+ *          20000           256           2384384 bytes           71496 bytes
  *
  * Every further instance takes 1.5 * forms + 1400 bytes more at most, every further step
  * 16 * forms + 5888. On a small machine critreg_config.precision, critreg_config.tracked
@@ -240,7 +240,8 @@
  * The grammar, in EBNF:
  *
  *     domain    = { statement } ;                 (* "#" starts a comment *)
- *     statement = type | object | constant | parameter | shape | point ;
+ *     statement = type | object | constant | parameter | shape | point
+ *               | feature | compare | relate ;
  *     type      = "type" name attributes ;
  *     object    = "object" named ( attributes | { "," named } ":" name ) ;
  *     named     = name [ "[" number "]" ] ;       (* a group of so many members *)
@@ -260,8 +261,11 @@
  *     turn      = factor                          (* yaw *)
  *               | "(" expr "," expr "," expr ")" ; (* yaw, pitch, roll *)
  *     offset    = "(" expr "," expr [ "," expr ] ")" ;
+ *     feature   = "feature" path "=" expr [ ":" dimension ] ;
+ *     compare   = "compare" expr { "," expr } ;
+ *     relate    = "relate" path { "," path } ;
  *     expr      = term { ( "+" | "-" ) term } ;
- *     term      = factor { "*" factor } ;
+ *     term      = factor { ( "*" | "/" ) factor } ;
  *     factor    = number | "pi" | path | "-" factor | "(" expr ")" | call | extreme ;
  *     extreme   = ( "min" | "max" ) "(" ( path | call ) ")" ;    (* over a group *)
  *     call      = ( "dist" | "dist_x" | "dist_y" | "dist_z" | "angle" | "off" )
@@ -334,10 +338,22 @@
  * if the hand is clear of every obstacle, also if there is none. So one region
  * serves instances with different numbers of objects.
  *
+ * A law that is known is written down once, and is compared before everything else:
+ *
+ *     feature slide = v*v / (2*9.81*ground.friction): length
+ *
+ * Regions call it by its name, as in slide - goal.far <= 0. What a product or a quotient
+ * measures is what the text says; without, it follows from the factors, and where there is no
+ * word for it, as for a mass divided by a length, it fits every number. A learner also looks
+ * for laws of its own: products and quotients of a distance or a parameter and of up to two
+ * numbers of the scene. "compare hand.x, slide" says that these expressions, and the features
+ * with a name, are all that is compared, and "relate gripper, can" that relations between
+ * points and bodies are of these only.
+ *
  * Limits: CRITREG_DOMAIN_TEXT_MAX bytes; 16 types, 64 attributes of types, 32
  * objects, 8 groups, 255 numbers of an instance, 32 constants, 6 parameters, 64
- * points of which 6 depend on a parameter, 16 shapes with key points, 24 bodies, 4 names
- * for up to 6 bodies each. Every member of a group counts as an object, with its own
+ * points of which 8 depend on a parameter, 16 shapes with key points, 24 bodies, 4 names
+ * for up to 6 bodies each, 8 features. Every member of a group counts as an object, with its own
  * numbers, points and bodies. A region can refer to 32 points, with those they are placed
  * in. A text without an attribute of an object and without a parameter is refused: there is
  * nothing to learn then.
