@@ -930,7 +930,7 @@
 /**
  * Bytes that are enough for the words of critreg_learner_why(), with their NUL.
  */
-#define CRITREG_WHY_MAX 256
+#define CRITREG_WHY_MAX 384
 
 /**
  * In a critreg_report: this did not happen (yet), or never does in this learner.
@@ -2784,7 +2784,8 @@ critreg_status critreg_learner_region(struct critreg_learner *learner,
  *
  * @param learner The learner.
  * @param why NULL, or receives the code: CRITREG_WHY_EXPLAINED, or another one. What the
- * code counts is in the words.
+ * code counts is in the words; also what could be compared but found no room, if that may be
+ * why: lend memory for more forms then.
  * @param text NULL, or receives the words, ended by NUL; CRITREG_WHY_MAX bytes are enough.
  * @param len Length of text in bytes; 0 to ask for the length only.
  * @param needed NULL, or receives the length of the words with their NUL.

@@ -284,34 +284,34 @@ impl<'m, R: Real> Features<'m, R> {
 
     fn enumerate_lhs(&mut self, domain: &Domain<'_>) {
         let room = self.room / 4 + self.first_lhs - FACTORS.len();
-        let sampled = !domain.parameters().is_empty();
-        for dimension in Dimension::ALL {
-            let declared = self.declared(dimension, sampled);
-            let block = self.append(room, |visit| {
-                declared.into_iter().for_each(&mut *visit);
-                if domain.compares() {
-                    return;
-                }
-                for (index, parameter) in (0u8..).zip(domain.parameters()) {
-                    if parameter.dimension == dimension {
-                        visit(Node::Parameter(index));
-                    }
-                }
-                if !sampled {
-                    attributes(domain, dimension, visit);
-                }
-                coordinates(domain, dimension, sampled, visit);
-            });
-            set_block(&mut self.lhs, 1, dimension, block);
+        for complexity in 1..=2 {
+            for dimension in Dimension::ALL {
+                let declared = self.declared(dimension, !domain.parameters().is_empty());
+                let block = self.append(room, |visit| {
+                    each_lhs(domain, declared, complexity, dimension, visit);
+                });
+                set_block(&mut self.lhs, complexity, dimension, block);
+            }
         }
-        for dimension in Dimension::ALL {
-            let block = self.append(room, |visit| {
-                if !domain.compares() {
-                    relations(domain, dimension, sampled, visit);
-                }
-            });
-            set_block(&mut self.lhs, 2, dimension, block);
-        }
+    }
+
+    /// The first left side of a complexity and dimension behind so many others, kept or not.
+    pub(crate) fn lhs_behind(
+        &self,
+        domain: &Domain<'_>,
+        complexity: usize,
+        dimension: Dimension,
+        others: usize,
+    ) -> Option<Node> {
+        let declared = self.declared(dimension, !domain.parameters().is_empty());
+        let (mut place, mut found) = (0, None);
+        each_lhs(domain, declared, complexity, dimension, &mut |node| {
+            if place == others {
+                found = Some(node);
+            }
+            place += 1;
+        });
+        found
     }
 
     fn enumerate_rhs(&mut self, domain: &Domain<'_>, most: usize) {
@@ -463,6 +463,35 @@ fn evaluate<R: Real>(nodes: &[Node], scene: &Scene<'_, R>, theta: &[R], values: 
             *slot = value;
         }
     }
+}
+
+/// Visits the left sides of a complexity and dimension, of which some are declared.
+fn each_lhs(
+    domain: &Domain<'_>,
+    declared: Vec<Node, MAX_FEATURES>,
+    complexity: usize,
+    dimension: Dimension,
+    visit: Visit<'_>,
+) {
+    let sampled = !domain.parameters().is_empty();
+    if complexity == 1 {
+        declared.into_iter().for_each(&mut *visit);
+    }
+    if domain.compares() {
+        return;
+    }
+    if complexity == 2 {
+        return relations(domain, dimension, sampled, visit);
+    }
+    for (index, parameter) in (0u8..).zip(domain.parameters()) {
+        if parameter.dimension == dimension {
+            visit(Node::Parameter(index));
+        }
+    }
+    if !sampled {
+        attributes(domain, dimension, visit);
+    }
+    coordinates(domain, dimension, sampled, visit);
 }
 
 fn block_at(blocks: &[[Block; DIMENSIONS]], complexity: usize, dimension: Dimension) -> Block {

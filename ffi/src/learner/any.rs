@@ -5,7 +5,8 @@ use crate::learner::quality::CRITREG_NO_QUALITY;
 use crate::learner::quality::number;
 use crate::learner::report::critreg_report;
 use critreg_core::Error;
-use critreg_core::learn::version_space::{self, Evidence, Why};
+use critreg_core::domain::Domain;
+use critreg_core::learn::version_space::{self, Evidence, LeftOut, Why};
 #[cfg(feature = "algorithm1")]
 use critreg_core::learn::{Algorithm1, algorithm1};
 use critreg_core::learn::{Learner, VersionSpace};
@@ -65,6 +66,9 @@ pub(crate) trait AnyLearner: Learner {
     /// Why there is no region, or none that is exact.
     fn why(&self) -> Why;
 
+    /// What could be compared and is not, because it found no room.
+    fn left_out(&self, domain: &Domain<'_>) -> Option<LeftOut>;
+
     /// What supports each constraint of the region, in their order; empty if the
     /// learner does not know.
     fn evidence(&self) -> &[Evidence];
@@ -95,6 +99,11 @@ impl<R: Real> AnyLearner for Algorithm1<'_, R> {
         }
     }
 
+    fn left_out(&self, _: &Domain<'_>) -> Option<LeftOut> {
+        // It counts hypotheses instead.
+        None
+    }
+
     fn evidence(&self) -> &[Evidence] {
         &[]
     }
@@ -115,6 +124,10 @@ impl<R: Real> AnyLearner for VersionSpace<'_, R> {
 
     fn why(&self) -> Why {
         VersionSpace::why(self)
+    }
+
+    fn left_out(&self, domain: &Domain<'_>) -> Option<LeftOut> {
+        VersionSpace::left_out(self, domain)
     }
 
     fn evidence(&self) -> &[Evidence] {

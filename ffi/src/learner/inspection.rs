@@ -67,7 +67,8 @@ pub unsafe extern "C" fn critreg_learner_region(
 ///
 /// @param learner The learner.
 /// @param why NULL, or receives the code: CRITREG_WHY_EXPLAINED, or another one. What the
-/// code counts is in the words.
+/// code counts is in the words; also what could be compared but found no room, if that may be
+/// why: lend memory for more forms then.
 /// @param text NULL, or receives the words, ended by NUL; CRITREG_WHY_MAX bytes are enough.
 /// @param len Length of text in bytes; 0 to ask for the length only.
 /// @param needed NULL, or receives the length of the words with their NUL.
@@ -83,7 +84,7 @@ pub unsafe extern "C" fn critreg_learner_why(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
-        with_learner(learner, |_, inner| {
+        with_learner(learner, |handle, inner| {
             let known = inner.learner.why();
             if let Some(output) = Output::optional(why, "why")? {
                 output.write(quality::code(&known));
@@ -91,7 +92,12 @@ pub unsafe extern "C" fn critreg_learner_why(
             if text.is_null() && len == 0 && needed.is_null() {
                 return Ok(());
             }
-            text::write(&known, text, len, needed)
+            let words = quality::Words {
+                why: known,
+                left_out: inner.learner.left_out(handle.domain),
+                domain: handle.domain,
+            };
+            text::write(&words, text, len, needed)
         })
     }
 }

@@ -4,7 +4,9 @@ use crate::boundary::handle;
 use crate::boundary::pointer::Output;
 use crate::boundary::status::critreg_status;
 use crate::region::handle::critreg_region;
-use critreg_core::learn::version_space::{Quality, Why};
+use core::fmt;
+use critreg_core::domain::{Domain, NodeId};
+use critreg_core::learn::version_space::{LeftOut, Quality, Why};
 
 /// Of a region: nothing is known of its quality; it was parsed, loaded, or learned by
 /// CRITREG_ALGORITHM1. Of a learner: there is no region.
@@ -35,7 +37,10 @@ pub const CRITREG_WHY_CONTRADICTION: u32 = 6;
 pub const CRITREG_WHY_UNEXPLAINED: u32 = 7;
 
 /// Bytes that are enough for the words of critreg_learner_why(), with their NUL.
-pub const CRITREG_WHY_MAX: usize = 256;
+pub const CRITREG_WHY_MAX: usize = 384;
+
+/// The longest name of something that found no room; a longer one is not told.
+const MAX_NAME: usize = 96;
 
 /// The number of a quality.
 pub(crate) const fn number(quality: Quality) -> u32 {
@@ -58,6 +63,34 @@ pub(crate) const fn code(why: &Why) -> u32 {
         Why::TooFew { .. } => CRITREG_WHY_TOO_FEW,
         Why::Contradiction { .. } => CRITREG_WHY_CONTRADICTION,
         Why::Unexplained { .. } => CRITREG_WHY_UNEXPLAINED,
+    }
+}
+
+/// Why there is no region, or none that is exact, with what was not compared.
+pub(crate) struct Words<'d, 't> {
+    pub(crate) why: Why,
+    pub(crate) left_out: Option<LeftOut>,
+    pub(crate) domain: &'d Domain<'t>,
+}
+
+impl fmt::Display for Words<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.why.fmt(f)?;
+        let missed = matches!(self.why, Why::TooFew { .. } | Why::Unexplained { .. });
+        let Some(left_out) = self.left_out.filter(|_| missed) else {
+            return Ok(());
+        };
+        let mut name: heapless::String<MAX_NAME> = heapless::String::new();
+        let first = left_out.first.and_then(|first| {
+            let written = self.domain.write_expression(&mut name, &[first], NodeId(0));
+            written.ok()
+        });
+        let count = left_out.count;
+        write!(f, "; {count} things to compare found no room")?;
+        if first.is_some() {
+            write!(f, ", the first is {name}")?;
+        }
+        f.write_str(": lend memory for more forms")
     }
 }
 

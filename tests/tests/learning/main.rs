@@ -7,6 +7,7 @@ mod growing;
 mod large_numbers;
 mod laws;
 mod learners;
+mod left_out;
 mod membership;
 mod noise;
 mod observing;

@@ -105,7 +105,7 @@ mod tuning;
 
 pub use certificate::Certificate;
 pub use config::Config;
-pub use forms::{End, Failure, Interval, Left, Sample, Sum};
+pub use forms::{End, Failure, Interval, Left, LeftOut, Sample, Sum};
 pub use hypothesis::Hypothesis;
 pub use membership::Membership;
 pub use memory::{Capacity, MAX_OBSERVATIONS, MAX_SUMS, Memory};

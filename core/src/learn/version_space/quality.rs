@@ -1,7 +1,8 @@
 //! How good the region is, and why there is none: in honest words.
 
 use super::VersionSpace;
-use super::forms::StepView;
+use super::forms::{LeftOut, StepView};
+use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::Observation;
 use crate::real::Real;
@@ -170,6 +171,11 @@ impl<R: Real> VersionSpace<'_, R> {
         Why::TooFew {
             more: self.answers_needed(),
         }
+    }
+
+    /// What could be compared and is not, because it found no room: `None` if there is nothing.
+    pub fn left_out(&self, domain: &Domain<'_>) -> Option<LeftOut> {
+        self.forms.lefts_left_out(domain)
     }
 
     /// How often answers at one place differ, if they do.

@@ -146,6 +146,13 @@ impl Layout {
         }
     }
 
+    /// How many left sides there are of a complexity, from zero, and a dimension.
+    pub(super) fn lhs_count(&self, complexity: usize, dimension: Dimension) -> usize {
+        let own = self.lhs.get(dimension as usize);
+        own.and_then(|own| own.get(complexity))
+            .map_or(0, |own| own.len())
+    }
+
     pub(super) fn has_lhs(&self, dimension: Dimension) -> bool {
         let own = self.lhs.get(dimension as usize);
         own.is_some_and(|own| own.iter().any(|places| places.len() > 0))

@@ -1,7 +1,7 @@
 //! Left sides of forms.
 
 use super::{DIMENSIONS, Forms};
-use crate::domain::{Dependence, Dimension, Domain, NodeId};
+use crate::domain::{Dependence, Dimension, Domain, Node, NodeId};
 use crate::error::Error;
 use crate::grammar::{Kind, feature_id};
 use crate::real::Real;
@@ -16,6 +16,15 @@ pub(super) enum Tier {
     Scene,
     /// It is derived from features.
     Derived,
+}
+
+/// What of the grammar found no room: left sides of forms.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeftOut {
+    /// How many there are.
+    pub count: u32,
+    /// The first of them, if it is a term without operands.
+    pub first: Option<Node>,
 }
 
 /// A left side of forms.
@@ -56,6 +65,25 @@ impl<R: Real> Forms<'_, R> {
                 .set_lhs(complexity, *dimension, start..start + len, lost);
         }
         Ok(())
+    }
+
+    /// How many left sides of the grammar found no room, and the first of them.
+    pub(in super::super) fn lefts_left_out(&self, domain: &Domain<'_>) -> Option<LeftOut> {
+        let (mut count, mut first) = (0, None);
+        for complexity in 0..2 {
+            for dimension in Dimension::ALL {
+                let kept = self.layout.lhs_count(complexity, dimension);
+                let all = self.features.enumerated_lhs(complexity + 1, dimension);
+                let lost = u32::try_from(all).unwrap_or(u32::MAX) - kept as u32;
+                if lost > 0 && first.is_none() {
+                    let features = &self.features;
+                    first = features.lhs_behind(domain, complexity + 1, dimension, kept);
+                }
+                count += lost;
+            }
+        }
+        let first = first.filter(|node| node.operands().is_none());
+        (count > 0).then_some(LeftOut { count, first })
     }
 
     /// Takes those that are derived, as far as there is room for them.

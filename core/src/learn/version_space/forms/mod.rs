@@ -24,7 +24,7 @@ mod values;
 
 pub use interval::Interval;
 pub(super) use layout::DirectedForm;
-pub use left::Left;
+pub use left::{Left, LeftOut};
 pub(super) use sample_set::{MAX_WORDS, SampleSet};
 pub(super) use search::Effort;
 pub use search::{End, Failure};
