@@ -62,6 +62,16 @@ def is_in_rectangle(frame, width, depth, points):
     return all(abs(u) <= width / 2 and abs(v) <= depth / 2 for u, v in local)
 
 
+def do_overlap(one, other):
+    """Whether two rectangles (frame, width, depth) meet: no axis of theirs separates them."""
+    both = [list(corners(*rectangle)) for rectangle in (one, other)]
+    for heading in (frame[2] + turn for frame, _, _ in (one, other) for turn in (0.0, math.pi / 2)):
+        along = [[turned(x, y, -heading)[0] for x, y in points] for points in both]
+        if max(along[0]) < min(along[1]) or max(along[1]) < min(along[0]):
+            return False
+    return True
+
+
 def from_rectangle(frame, width, depth, x, y):
     """How far a point is from such a rectangle; 0 inside."""
     u, v = seen_from(frame, x, y)

@@ -4,6 +4,8 @@ README.md tells what a scenario is.
 """
 
 from bodies import BODIES
+from clutter import CLUTTER
+from laws import LAWS
 from plain import PLAIN
 
-SCENARIOS = BODIES + PLAIN
+SCENARIOS = BODIES + CLUTTER + PLAIN + LAWS

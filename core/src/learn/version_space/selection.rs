@@ -131,13 +131,7 @@ impl<R: Real> VersionSpace<'_, R> {
     /// How many bits there are in the answers.
     pub(super) fn entropy(&self) -> f64 {
         let steps = 0..self.capacity.steps;
-        let answers = steps.map(|step| {
-            let view = StepView::new(&self.forms, step);
-            let feasible = view.feasible.len() as f64;
-            let infeasible = view.infeasible.len() as f64;
-            let length = |own: f64| own * libm::log2((feasible + infeasible) / own.max(1.0));
-            length(feasible) + length(infeasible)
-        });
+        let answers = steps.map(|step| entropy(&StepView::new(&self.forms, step)));
         answers.sum::<f64>()
     }
 
@@ -353,13 +347,23 @@ fn select<R: Real>(
             }
             if other.consistent {
                 let rating = rate(&mut other, &view, &objective);
-                if rating < least {
+                // With windows enough anything can be explained.
+                let windows = candidate == candidates + disjunctions;
+                if rating < least && (!windows || rating.1 < entropy(&view)) {
                     best.copy_from(&other);
                     least = rating;
                 }
             }
         }
     }
+}
+
+/// How many bits there are in the answers about a step.
+fn entropy<R: Real>(view: &StepView<'_, '_, R>) -> f64 {
+    let feasible = view.feasible.len() as f64;
+    let infeasible = view.infeasible.len() as f64;
+    let length = |own: f64| own * libm::log2((feasible + infeasible) / own.max(1.0));
+    length(feasible) + length(infeasible)
 }
 
 /// Improves a hypothesis, and tells how good it is: the least is best.
