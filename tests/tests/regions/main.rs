@@ -8,5 +8,6 @@ mod groups;
 mod intersection;
 mod large_numbers;
 mod margins;
+mod picture;
 mod region;
 mod vertex_angle;
