@@ -15,6 +15,8 @@
  *     critreg_sample_regions   the same, good for what comes after it, too
  *     critreg_region_margins   its constraints as functions, for optimisers
  *     critreg_region_to_c      the region as C that needs no library
+ *     critreg_region_to_svg    the region as a picture of an instance
+ *     critreg_learner_to_svg   the same with what was tried there
  *     critreg_planner_init     PDDL texts and memory make a planner
  *     critreg_plan             operators and parameters that reach a goal
  *     critreg_skills_learn     what a planner is to know of all controllers, by trying them
@@ -2811,6 +2813,30 @@ critreg_status critreg_learner_message(const struct critreg_learner *learner,
                                        size_t *needed);
 
 /**
+ * Draws what is learned so far in an instance, as critreg_region_to_svg(), with what was
+ * told about that instance: what worked in blue, what failed as red crosses. While there
+ * is no region, only that and what the parameters can choose.
+ *
+ * @param learner The learner.
+ * @param instances The instances of the problem, one behind the other.
+ * @param count How many there are.
+ * @param index Which of them is drawn, from 0.
+ * @param text Receives the SVG, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the
+ * buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_INVALID_ARGUMENT for
+ * an index that is not below count; and as critreg_region_to_svg() and critreg_ask().
+ */
+critreg_status critreg_learner_to_svg(struct critreg_learner *learner,
+                                      const double *instances,
+                                      size_t count,
+                                      size_t index,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+
+/**
  * Saves what a learner was told, so that a run can be resumed: versioned,
  * checksummed, the same on every machine. A sample that was asked for but not
  * told is saved with it, and asked for again after resuming.
@@ -3383,6 +3409,35 @@ critreg_status critreg_region_to_c(const struct critreg_region *region,
                                    char *text,
                                    size_t len,
                                    size_t *needed);
+
+/**
+ * Draws a region in an instance, as SVG: its text; the scene with its bodies, and where
+ * the action moves points and bodies, green where it is expected to work and grey where
+ * not; beside it the parameters that are inside, of one as intervals, of two as an area,
+ * of more as draws. In space the scene is seen from above and from the side.
+ *
+ * The same region and instance give the same text everywhere. It has some 10 to 100 KB.
+ *
+ * ```c
+ * size_t needed;
+ * critreg_region_to_svg(region, instance, NULL, 0, &needed);
+ * ```
+ *
+ * @param region The region.
+ * @param instance The instance: one number per attribute.
+ * @param text Receives the SVG, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the
+ * buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_NOT_FINITE for a
+ * number of the instance; CRITREG_CAPACITY_EXCEEDED if more points of the domain move
+ * than fit; CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_to_svg(const struct critreg_region *region,
+                                     const double *instance,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
 
 /**
  * A generator with this seed.

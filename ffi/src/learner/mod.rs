@@ -13,6 +13,7 @@
 //! | [`inspection`] | what is asked about one: whether it is finished, what it learned |
 //! | [`quality`] | how good a region is, and why there is none |
 //! | [`report`] | how learning went |
+//! | [`picture`] | what is learned and what was told, as a picture |
 //! | [`saving`] | saving a run and resuming it |
 
 pub(crate) mod any;
@@ -23,6 +24,7 @@ pub(crate) mod layout;
 pub mod learning;
 pub mod making;
 pub mod outcome;
+pub mod picture;
 pub mod quality;
 pub mod questions;
 pub mod report;

@@ -12,34 +12,6 @@ use critreg_core::Error;
 /// Longest name of what is written, with its NUL.
 const NAME_MAX: usize = 65;
 
-/// A region as C, to be written.
-struct Export<'r> {
-    region: &'r critreg_region,
-    name: &'r str,
-}
-
-impl Export<'_> {
-    fn write(&self, out: &mut dyn fmt::Write) -> Result<(), Error> {
-        let critreg_region { region, domain, .. } = self.region;
-        region.write_c(domain, self.name, out)
-    }
-}
-
-impl fmt::Display for Export<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(f).map_err(|_| fmt::Error)
-    }
-}
-
-/// Takes any text.
-struct Nowhere;
-
-impl fmt::Write for Nowhere {
-    fn write_str(&mut self, _: &str) -> fmt::Result {
-        Ok(())
-    }
-}
-
 /// Writes a region as C99 that needs no library: a header with static inline functions,
 /// for a robot on which there is no room for more.
 ///
@@ -92,10 +64,9 @@ pub unsafe extern "C" fn critreg_region_to_c(
                 }
                 other => other,
             })?;
-            let export = Export { region, name };
-            // What cannot be written is known before anything is.
-            export.write(&mut Nowhere)?;
-            text::write(&export, text, len, needed)
+            let write =
+                |out: &mut dyn fmt::Write| Ok(region.region.write_c(region.domain, name, out)?);
+            text::write_by(write, text, len, needed)
         })
     }
 }

@@ -11,6 +11,7 @@
 //! | [`many`] | membership of many samples, and many draws |
 //! | [`margins`] | its constraints as functions with gradients |
 //! | [`export`] | the region as C that needs no library |
+//! | [`picture`] | the region as a picture of an instance |
 
 pub mod constraint;
 pub mod export;
@@ -19,5 +20,6 @@ pub(crate) mod layout;
 pub mod making;
 pub mod many;
 pub mod margins;
+pub mod picture;
 pub mod sampling;
 pub mod writing;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 41] = [
+const SOURCES: [&str; 43] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",
@@ -19,6 +19,7 @@ const SOURCES: [&str; 41] = [
     "learner/learning.rs",
     "learner/questions.rs",
     "learner/inspection.rs",
+    "learner/picture.rs",
     "learner/saving.rs",
     "region/handle.rs",
     "region/making.rs",
@@ -28,6 +29,7 @@ const SOURCES: [&str; 41] = [
     "region/many.rs",
     "region/margins.rs",
     "region/export.rs",
+    "region/picture.rs",
     "boundary/rng.rs",
     "planner/config.rs",
     "planner/handle.rs",
