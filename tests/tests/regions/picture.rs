@@ -262,7 +262,7 @@ fn anything_can_be_drawn() {
 #[test]
 fn long_regions_go_on_below_and_signs_are_escaped() {
     let domain = Domain::parse("parameter x in [0, 1]").unwrap();
-    let text = vec!["x < 0.5 and x > 0.25"; 8].join(" and ");
+    let text = ["x < 0.5 and x > 0.25"; 8].join(" and ");
     let region = Region::parse(&domain, &text).unwrap();
     let svg = draw::<f64>(&domain, &[], Some(&region), &nothing).unwrap();
     let shown = svg
