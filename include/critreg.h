@@ -15,6 +15,7 @@
  *     critreg_sample_regions   the same, good for what comes after it, too
  *     critreg_region_margins   its constraints as functions, for optimisers
  *     critreg_region_to_c      the region as C that needs no library
+ *     critreg_region_to_rust   the same as Rust
  *     critreg_region_to_svg    the region as a picture of an instance
  *     critreg_learner_to_svg   the same with what was tried there
  *     critreg_planner_init     PDDL texts and memory make a planner
@@ -3409,6 +3410,28 @@ critreg_status critreg_region_to_c(const struct critreg_region *region,
                                    char *text,
                                    size_t len,
                                    size_t *needed);
+
+/**
+ * Writes a region as a module of Rust that needs the crate libm only, and neither std nor a
+ * heap: contains(), margins(), intervals() and sample(), which say what those of
+ * critreg_region_to_c() do, and are there where those are.
+ *
+ * What is computed is what the library computes, equal to the last bit.
+ *
+ * @param region The region.
+ * @param precision What the module computes with: CRITREG_F64 or CRITREG_F32.
+ * @param text Receives the module, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the
+ * buffer is too small.
+ * @return CRITREG_INVALID_ARGUMENT for another precision; otherwise as
+ * critreg_region_to_c().
+ */
+critreg_status critreg_region_to_rust(const struct critreg_region *region,
+                                      uint32_t precision,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
 
 /**
  * Draws a region in an instance, as SVG: its text; the scene with its bodies, and where

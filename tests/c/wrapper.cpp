@@ -73,6 +73,7 @@ static void views() {
     region.margins({1.0, 0.0}, {0.5}, values, gradients);
     EXPECT_TRUE(values[0] < 0.0 && gradients[0] == 1.0);
     EXPECT_TRUE(region.to_c("reach").find("reach_contains") != std::string::npos);
+    EXPECT_TRUE(region.to_rust().find("pub fn contains(") != std::string::npos);
     EXPECT_TRUE(region.to_svg({1.0, 0.0}).find("</svg>") != std::string::npos);
     EXPECT_TRUE(thrown([&] { (void)region.to_svg({1.0}); }) == Status::invalid_argument);
     critreg::Rng many(3);

@@ -93,6 +93,13 @@ class Regions(unittest.TestCase):
             self.assertEqual(twin.quality, critreg.Quality.EXACT)
         self.assertIsNone(self.region.constraints[0].evidence)
 
+    def test_code(self):
+        self.assertIn("int pick_contains(", self.region.to_c("pick"))
+        self.assertIn("pub type Real = f64;", self.region.to_rust())
+        self.assertIn("pub type Real = f32;", self.region.to_rust(32))
+        with self.assertRaises(critreg.Error):
+            self.region.to_rust(16)
+
     def test_pictures(self):
         picture = self.region.picture(INSTANCES[0])
         self.assertTrue(picture.startswith("<svg") and "grasp" in picture)

@@ -1,7 +1,8 @@
-//! A region as C that needs no library.
+//! A region as C or Rust that needs no library.
 
 use crate::boundary::handle;
 use crate::boundary::pointer;
+use crate::boundary::precision::{CRITREG_F32, CRITREG_F64};
 use crate::boundary::status::{Failure, critreg_status};
 use crate::boundary::text;
 use crate::region::handle::critreg_region;
@@ -66,6 +67,42 @@ pub unsafe extern "C" fn critreg_region_to_c(
             })?;
             let write =
                 |out: &mut dyn fmt::Write| Ok(region.region.write_c(region.domain, name, out)?);
+            text::write_by(write, text, len, needed)
+        })
+    }
+}
+
+/// Writes a region as a module of Rust that needs the crate libm only, and neither std nor a
+/// heap: contains(), margins(), intervals() and sample(), which say what those of
+/// critreg_region_to_c() do, and are there where those are.
+///
+/// What is computed is what the library computes, equal to the last bit.
+///
+/// @param region The region.
+/// @param precision What the module computes with: CRITREG_F64 or CRITREG_F32.
+/// @param text Receives the module, ended by NUL.
+/// @param len Length of text in bytes; 0 to ask for the length only.
+/// @param needed NULL, or receives the length of the text with its NUL, also if the
+/// buffer is too small.
+/// @return CRITREG_INVALID_ARGUMENT for another precision; otherwise as
+/// critreg_region_to_c().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_region_to_rust(
+    region: *const critreg_region,
+    precision: u32,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        handle::read(region, |handle| {
+            let critreg_region { region, domain, .. } = handle;
+            let write = |out: &mut dyn fmt::Write| match precision {
+                CRITREG_F64 => Ok(region.write_rust::<f64>(domain, out)?),
+                CRITREG_F32 => Ok(region.write_rust::<f32>(domain, out)?),
+                _ => Err(Failure::invalid("there is no precision with this number")),
+            };
             text::write_by(write, text, len, needed)
         })
     }

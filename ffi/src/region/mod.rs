@@ -10,7 +10,7 @@
 //! | [`sampling`] | what it says about an instance: membership, intervals, samples |
 //! | [`many`] | membership of many samples, and many draws |
 //! | [`margins`] | its constraints as functions with gradients |
-//! | [`export`] | the region as C that needs no library |
+//! | [`export`] | the region as C or Rust that needs no library |
 //! | [`picture`] | the region as a picture of an instance |
 
 pub mod constraint;

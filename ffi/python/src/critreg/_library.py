@@ -77,6 +77,7 @@ ARGUMENTS: dict[str, list[Any]] = {
     "critreg_region_contains_many": [_ANY, _ANY, _ANY, _SIZE, _ANY],
     "critreg_region_margins": [_ANY, _ANY, _ANY, _ANY, _ANY],
     "critreg_region_to_c": [_ANY, _TEXT, *_BUFFER],
+    "critreg_region_to_rust": [_ANY, c_uint32, *_BUFFER],
     "critreg_region_to_svg": [_ANY, _ANY, *_BUFFER],
     "critreg_region_intervals": [_ANY, _ANY, _ANY, _SIZE, _ANY],
     "critreg_region_is_empty": [_ANY, _ANY, _ANY],

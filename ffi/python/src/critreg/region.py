@@ -202,6 +202,11 @@ class Region:
         """The region as C that needs no library, in functions whose names begin with this."""
         return text_of(library.critreg_region_to_c, self._handle, encoded(name))
 
+    def to_rust(self, precision: int = 64) -> str:
+        """The region as a module of Rust that needs the crate libm only; it computes with
+        numbers of 64 or 32 bits."""
+        return text_of(library.critreg_region_to_rust, self._handle, precision)
+
     def picture(self, instance: Vector) -> Picture:
         """The region in an instance, as a picture that a notebook shows."""
         place = vector(instance, self._instance_len, "instance")
