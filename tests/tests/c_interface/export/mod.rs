@@ -136,9 +136,9 @@ impl Case {
             let mut draw = |size: f64| uniform_in(&mut rng, -size, size);
             let numbers = 0..self.domain.instance_len();
             let mut instance: Vec<_> = numbers.map(|_| draw(2.0)).collect();
-            if !self.domain.groups().is_empty() && trial % 3 > 0 {
-                let members = [3..7, 3..15];
-                instance[members[trial % 3 - 1].clone()].fill(f64::NAN);
+            if !self.domain.groups().is_empty() {
+                let absent = [3..3, 3..7, 3..15];
+                instance[absent[trial % 3].clone()].fill(f64::NAN);
             }
             // Sticks that lie along an axis, as they often do.
             if trial.is_multiple_of(10) {

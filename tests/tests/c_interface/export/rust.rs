@@ -8,6 +8,14 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
+/// Answers about all intervals.
+const DRAW: &str = "
+    let mut ends = [0.0; 2 * MAX_INTERVALS];
+    out[100] = intervals(instance, &mut ends) as f64;
+    let drawn = sample(instance, share);
+    (out[101], out[102]) = (f64::from(drawn.is_some()), drawn.unwrap_or(0.0) as f64);
+    for (to, end) in out[104..].iter_mut().zip(ends) { *to = end as f64; }";
+
 /// The crate that the modules need, as it was built for the library.
 fn libm() -> PathBuf {
     let test = std::env::current_exe().unwrap();
@@ -36,14 +44,7 @@ fn program<R: Real>() -> PathBuf {
         fs::write(folder.join(format!("region_{index}.rs")), text).unwrap();
         writeln!(modules, "mod region_{index};").unwrap();
         let numbers = case.domain.instance_len() + case.domain.parameters().len() + 1;
-        let draw = format!(
-            "let mut ends = [0.0; 2 * MAX_INTERVALS];
-             out[100] = intervals(instance, &mut ends) as f64;
-             let drawn = sample(instance, share);
-             (out[101], out[102]) = (f64::from(drawn.is_some()), drawn.unwrap_or(0.0) as f64);
-             for (to, end) in out[104..].iter_mut().zip(ends) {{ *to = end as f64; }}"
-        );
-        let draw = if case.is_cut { &draw } else { "" };
+        let draw = if case.is_cut { DRAW } else { "" };
         writeln!(
             cases,
             "{index} => {{
