@@ -1,7 +1,7 @@
 //! Text and bytes that go into a buffer of the caller.
 
 use crate::boundary::pointer::{self, Output};
-use crate::boundary::status::{Failure, Fallible};
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use core::ffi::c_char;
 use core::fmt;
 use critreg_core::text::TextBuffer;
@@ -160,4 +160,49 @@ pub(crate) unsafe fn write_bytes(
         core::slice::from_raw_parts_mut(bytes, length)
     };
     save(room).map(|_| ())
+}
+
+/// What is wrong, and with what.
+struct Words(&'static str, Fallible);
+
+impl fmt::Display for Words {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Words(which, checked) = self;
+        match checked {
+            Ok(()) => Ok(()),
+            Err(failure) => write!(f, "{which}{failure}"),
+        }
+    }
+}
+
+/// Writes what is wrong with something, cut off where the buffer ends, and tells the status.
+///
+/// # Safety
+/// As for [`write`].
+pub(crate) unsafe fn explain(
+    checked: Fallible,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
+    unsafe { explain_part("", checked, text, len, needed) }
+}
+
+/// As [`explain`], with what it is wrong with in front.
+///
+/// # Safety
+/// As for [`write`].
+pub(crate) unsafe fn explain_part(
+    which: &'static str,
+    checked: Fallible,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
+    let written: Result<(), Failure> =
+        unsafe { write_cut_off(&Words(which, checked), text, len, needed) };
+    // A wrong buffer is the first thing to put right.
+    status_of(written.and(checked))
 }

@@ -3,6 +3,7 @@
 //! | module | content |
 //! |---|---|
 //! | [`config`] | what a learner is told to do |
+//! | [`check`] | what is wrong with that, in words |
 //! | `any` | what all learners of the core have in common for C |
 //! | [`handle`] | a learner in the caller's memory |
 //! | `layout`, `tables` | where its parts lie |
@@ -17,6 +18,7 @@
 //! | [`saving`] | saving a run and resuming it |
 
 pub(crate) mod any;
+pub mod check;
 pub mod config;
 pub mod handle;
 pub mod inspection;

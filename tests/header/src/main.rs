@@ -5,14 +5,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 43] = [
+const SOURCES: [&str; 46] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",
     "boundary/precision.rs",
+    "region/quality.rs",
     "learner/quality.rs",
     "learner/report.rs",
     "learner/config.rs",
+    "learner/check.rs",
     "learner/handle.rs",
     "learner/making.rs",
     "learner/outcome.rs",
@@ -23,6 +25,7 @@ const SOURCES: [&str; 43] = [
     "learner/saving.rs",
     "region/handle.rs",
     "region/making.rs",
+    "region/check.rs",
     "region/writing.rs",
     "region/constraint.rs",
     "region/sampling.rs",
@@ -32,6 +35,7 @@ const SOURCES: [&str; 43] = [
     "region/picture.rs",
     "boundary/rng.rs",
     "planner/config.rs",
+    "planner/check.rs",
     "planner/handle.rs",
     "planner/making.rs",
     "planner/callbacks.rs",
@@ -46,7 +50,6 @@ const SOURCES: [&str; 43] = [
     "skill/learning.rs",
     "skill/report.rs",
     "skill/saving.rs",
-    "check.rs",
     "stick_button/environment.rs",
     "stick_button/world.rs",
 ];
