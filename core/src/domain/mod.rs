@@ -142,6 +142,7 @@ mod point_set;
 mod sample;
 mod scene;
 mod schema;
+mod similar;
 mod turns;
 
 pub(crate) use node::{TermError, copy, intern, is_same};
@@ -161,3 +162,4 @@ pub use schema::{
     Domain, MAX_ATTRIBUTES, MAX_BODIES, MAX_COMPOUNDS, MAX_CONSTANTS, MAX_DOMAIN_NODES, MAX_GROUPS,
     MAX_OBJECTS, MAX_PARAMETERS, MAX_PARTS, MAX_POINTS, MAX_SHAPES, MAX_TYPES,
 };
+pub use similar::Name;

@@ -162,47 +162,19 @@ pub(crate) unsafe fn write_bytes(
     save(room).map(|_| ())
 }
 
-/// What is wrong, and with what.
-struct Words(&'static str, Fallible);
-
-impl fmt::Display for Words {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Words(which, checked) = self;
-        match checked {
-            Ok(()) => Ok(()),
-            Err(failure) => write!(f, "{which}{failure}"),
-        }
-    }
-}
-
 /// Writes what is wrong with something, cut off where the buffer ends, and tells the status.
 ///
 /// # Safety
 /// As for [`write`].
 pub(crate) unsafe fn explain(
+    words: &dyn fmt::Display,
     checked: Fallible,
     text: *mut c_char,
     len: usize,
     needed: *mut usize,
 ) -> critreg_status {
     // SAFETY: by this function's contract.
-    unsafe { explain_part("", checked, text, len, needed) }
-}
-
-/// As [`explain`], with what it is wrong with in front.
-///
-/// # Safety
-/// As for [`write`].
-pub(crate) unsafe fn explain_part(
-    which: &'static str,
-    checked: Fallible,
-    text: *mut c_char,
-    len: usize,
-    needed: *mut usize,
-) -> critreg_status {
-    // SAFETY: by this function's contract.
-    let written: Result<(), Failure> =
-        unsafe { write_cut_off(&Words(which, checked), text, len, needed) };
+    let written = unsafe { write_cut_off(words, text, len, needed) };
     // A wrong buffer is the first thing to put right.
     status_of(written.and(checked))
 }

@@ -1,6 +1,6 @@
 //! What is wrong with a configuration, in words.
 
-use crate::boundary::status::{Failure, Fallible, critreg_status};
+use crate::boundary::status::{Failure, Fallible, Message, critreg_status};
 use crate::boundary::text::explain;
 use crate::learner::config::{
     self, CRITREG_DEFAULT_FORMS, CRITREG_MAX_OBSERVATIONS, CRITREG_MAX_STEPS,
@@ -34,7 +34,7 @@ pub unsafe extern "C" fn critreg_check_config(
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
         let checked = config::read(config).and_then(|config| check_learner(&config));
-        explain(checked, text, len, needed)
+        explain(&Message(checked.err()), checked, text, len, needed)
     }
 }
 

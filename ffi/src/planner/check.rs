@@ -2,10 +2,11 @@
 
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::structs;
-use crate::boundary::text::explain_part;
+use crate::boundary::text::explain;
 use crate::planner::config::{self, LINKS_OF_OPERATOR, critreg_planner_config};
 use crate::planner::making::read_texts;
 use core::ffi::c_char;
+use core::fmt;
 use critreg_core::Error;
 use critreg_core::pddl;
 use critreg_core::plan;
@@ -40,7 +41,20 @@ pub unsafe extern "C" fn critreg_check_pddl(
             Ok(texts) => check_pddl(texts),
             Err(failure) => ("", Err(failure)),
         };
-        explain_part(which, checked, text, len, needed)
+        explain(&Words(which, checked), checked, text, len, needed)
+    }
+}
+
+/// What is wrong, and with what.
+struct Words(&'static str, Fallible);
+
+impl fmt::Display for Words {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Words(which, checked) = self;
+        match checked {
+            Ok(()) => Ok(()),
+            Err(failure) => write!(f, "{which}{failure}"),
+        }
     }
 }
 

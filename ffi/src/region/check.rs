@@ -6,7 +6,9 @@ use crate::boundary::status::{Failure, Fallible, critreg_status};
 use crate::boundary::text::explain;
 use crate::region::making::REGION_TEXT_MAX;
 use core::ffi::c_char;
-use critreg_core::domain::{Domain, MAX_SAMPLE_POINTS};
+use core::fmt;
+use critreg_core::Error;
+use critreg_core::domain::{Domain, MAX_SAMPLE_POINTS, Name};
 use critreg_core::region::Region;
 
 /// Reads a domain text and says what is wrong with it, such as
@@ -31,8 +33,8 @@ pub unsafe extern "C" fn critreg_check_domain(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let checked = check_domain(domain);
-        explain(checked, text, len, needed)
+        let (checked, meant) = check_domain(domain);
+        explain_meant(checked, meant, text, len, needed)
     }
 }
 
@@ -56,8 +58,8 @@ pub unsafe extern "C" fn critreg_check_region(
 ) -> critreg_status {
     // SAFETY: the header makes it the caller's promise, for both.
     unsafe {
-        let checked = check_region(domain, region_text);
-        explain(checked, text, len, needed)
+        let (checked, meant) = check_region(domain, region_text);
+        explain_meant(checked, meant, text, len, needed)
     }
 }
 
@@ -76,29 +78,89 @@ fn check_points(domain: &Domain<'_>) -> Fallible {
     Ok(())
 }
 
+/// What is wrong with a text, and which name was meant where there is none.
+type Checked = (Fallible, Option<Name<'static>>);
+
+/// With a text that could not be read, which of the domain's names was meant.
+fn with_meant(checked: Fallible, domain: &Domain<'static>, text: &str) -> Checked {
+    let meant = match checked {
+        Err(Failure::Core(Error::Syntax(error))) => domain.similar(text, &error),
+        _ => None,
+    };
+    (checked, meant)
+}
+
 /// What is large is on the stack while this runs, and no more when words are written.
 ///
 /// # Safety
-/// If not NULL, the text can be read up to its NUL.
+/// If not NULL, the text can be read up to its NUL, until the words are written.
 #[inline(never)]
-unsafe fn check_domain(domain: *const c_char) -> Fallible {
+unsafe fn check_domain(domain: *const c_char) -> Checked {
     // SAFETY: by this function's contract.
-    let text = unsafe { pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain")? };
+    let text = match unsafe { pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain") } {
+        Ok(text) => text,
+        Err(failure) => return (Err(failure), None),
+    };
     let mut domain = Domain::empty();
-    domain.read(text)?;
-    check_points(&domain)
+    let read = domain.read(text).map_err(Failure::from);
+    with_meant(read.and_then(|()| check_points(&domain)), &domain, text)
 }
 
 /// # Safety
-/// If not NULL, the texts can be read up to their NUL.
+/// If not NULL, the texts can be read up to their NUL, until the words are written.
 #[inline(never)]
-unsafe fn check_region(domain: *const c_char, region_text: *const c_char) -> Fallible {
+unsafe fn check_region(domain: *const c_char, region_text: *const c_char) -> Checked {
     // SAFETY: by this function's contract.
-    let domain_text = unsafe { pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain")? };
+    let texts = unsafe {
+        let domain = pointer::text(domain, CRITREG_DOMAIN_TEXT_MAX, "domain");
+        domain.map(|domain| {
+            (
+                domain,
+                pointer::text(region_text, REGION_TEXT_MAX, "region_text"),
+            )
+        })
+    };
+    let (domain_text, text) = match texts {
+        Ok(texts) => texts,
+        Err(failure) => return (Err(failure), None),
+    };
     let mut domain = Domain::empty();
-    domain.read(domain_text)?;
-    // SAFETY: as above.
-    let text = unsafe { pointer::text(region_text, REGION_TEXT_MAX, "region_text")? };
+    if let Err(error) = domain.read(domain_text) {
+        return with_meant(Err(error.into()), &domain, domain_text);
+    }
+    let text = match text {
+        Ok(text) => text,
+        Err(failure) => return (Err(failure), None),
+    };
     let mut region = Region::default();
-    Ok(region.read(&domain, text)?)
+    let read = region.read(&domain, text).map_err(Failure::from);
+    with_meant(read, &domain, text)
+}
+
+/// What is wrong, and what was meant.
+struct Words(Fallible, Option<Name<'static>>);
+
+impl fmt::Display for Words {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Words(Err(failure), meant) = self else {
+            return Ok(());
+        };
+        match meant {
+            Some(name) => write!(f, "{failure}; did you mean {name}?"),
+            None => write!(f, "{failure}"),
+        }
+    }
+}
+
+/// # Safety
+/// As for [`text::write_cut_off`].
+unsafe fn explain_meant(
+    checked: Fallible,
+    meant: Option<Name<'static>>,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
+    unsafe { explain(&Words(checked, meant), checked, text, len, needed) }
 }
