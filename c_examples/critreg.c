@@ -14,6 +14,10 @@
  *     critreg forget RUN ID                   the worker was lost
  *     critreg observe RUN INSTANCE PARAMETERS... OUTCOME     a trial that nobody asked for
  *     critreg region RUN                      what is learned so far, and what it is worth
+ *     critreg draw RUN INSTANCE               the same in one of the instances, by its index, with
+ *                                             what was told of it: a picture, as SVG
+ *     critreg draw DOMAIN REGION INSTANCE     such a picture of three texts: a domain, a region of
+ *                                             it, and the numbers of an instance
  *
  * Exit status: 0 done; 1 refused, with the reason on stderr; 2 wrong usage; 3 there is nothing
  * to ask now (some answers are still to come); 4 learning is finished, or there is no region.
@@ -145,27 +149,35 @@ static long whole_number(const char *text)
     return value;
 }
 
+/* Reads the numbers of instances; how many numbers there are. */
+static size_t read_instances(const char *file)
+{
+    size_t length, numbers;
+    char *text = contents(file, &length), *end;
+
+    /* A number takes a digit and a blank at least. */
+    instances = (double *)allocate((length / 2 + 1) * sizeof *instances);
+    for (numbers = 0;; numbers++, text = end) {
+        double value = strtod(text, &end);
+        if (end == text)
+            break;
+        instances[numbers] = value;
+    }
+    if (text[strspn(text, " \t\r\n")] != '\0')
+        stop(REFUSED, "among the instances, this is no number: %.20s", text);
+    return numbers;
+}
+
 /* Reads the texts of the run and makes a fresh learner. */
 static void begin(void)
 {
     size_t length, size;
-    char *domain = contents(path("domain"), &length), *text, *end;
+    char *domain = contents(path("domain"), &length);
     char *settings = contents(path("settings"), &length);
     critreg_config config;
     critreg_status status;
 
-    text = contents(path("instances"), &length);
-    /* A number takes a digit and a blank at least. */
-    instances = (double *)allocate((length / 2 + 1) * sizeof *instances);
-    for (count = 0;; count++, text = end) {
-        double value = strtod(text, &end);
-        if (end == text)
-            break;
-        instances[count] = value;
-    }
-    if (text[strspn(text, " \t\r\n")] != '\0')
-        stop(REFUSED, "among the instances, this is no number: %.20s", text);
-
+    count = read_instances(path("instances"));
     check(critreg_config_init(&config, sizeof config));
     config.observations = OBSERVATIONS;
     config.instances = MOST_INSTANCES;
@@ -335,8 +347,64 @@ static int region(void)
     return 0;
 }
 
+static int draw_run(const char *index)
+{
+    long which = whole_number(index);
+    critreg_status status;
+    size_t needed = 0;
+    char *svg;
+    if (which < 0)
+        return USAGE;
+    lock();
+    load();
+    check(critreg_conclude(learner, instances, count));
+    status = critreg_learner_to_svg(learner, instances, count, (size_t)which, NULL, 0, &needed);
+    if (status != CRITREG_TOO_SMALL)
+        check(status);
+    svg = (char *)allocate(needed);
+    check(critreg_learner_to_svg(learner, instances, count, (size_t)which, svg, needed, NULL));
+    fputs(svg, stdout);
+    return 0;
+}
+
+static int draw_texts(char **files)
+{
+    size_t length, needed = 0;
+    const char *domain = contents(files[0], &length), *text = contents(files[1], &length);
+    critreg_region *own;
+    critreg_status status;
+    char *svg, why[512] = "";
+
+    status = critreg_check_region(domain, text, why, sizeof why, NULL);
+    if (status != CRITREG_OK)
+        stop(REFUSED, "%s. %s", critreg_strerror(status), why);
+    check(critreg_region_parse(allocate(critreg_region_size()), critreg_region_size(), domain,
+                               text, &own));
+    count = read_instances(files[2]);
+    check(critreg_region_instance_len(own, &each));
+    if (count != each)
+        stop(REFUSED, "an instance has %lu numbers, and there are %lu", (unsigned long)each,
+             (unsigned long)count);
+    status = critreg_region_to_svg(own, instances, NULL, 0, &needed);
+    if (status != CRITREG_TOO_SMALL)
+        check(status);
+    svg = (char *)allocate(needed);
+    check(critreg_region_to_svg(own, instances, svg, needed, NULL));
+    fputs(svg, stdout);
+    return 0;
+}
+
+static int draw(int argc, char **argv)
+{
+    if (argc == 4)
+        return draw_run(argv[3]);
+    return argc == 5 ? draw_texts(argv + 2) : USAGE;
+}
+
 static int run(const char *command, int argc, char **argv)
 {
+    if (strcmp(command, "draw") == 0)
+        return draw(argc, argv);
     if (strcmp(command, "new") == 0)
         return new_run(argc, argv);
     lock();
@@ -370,6 +438,8 @@ int main(int argc, char **argv)
                         "       critreg open|region RUN\n"
                         "       critreg tell RUN ID OUTCOME\n"
                         "       critreg forget RUN ID\n"
-                        "       critreg observe RUN INSTANCE PARAMETERS... OUTCOME\n");
+                        "       critreg observe RUN INSTANCE PARAMETERS... OUTCOME\n"
+                        "       critreg draw RUN INSTANCE\n"
+                        "       critreg draw DOMAIN REGION INSTANCE\n");
     return status;
 }

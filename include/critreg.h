@@ -15,6 +15,9 @@
  *     critreg_sample_regions   the same, good for what comes after it, too
  *     critreg_region_margins   its constraints as functions, for optimisers
  *     critreg_region_to_c      the region as C that needs no library
+ *     critreg_region_to_rust   the same as Rust
+ *     critreg_region_to_svg    the region as a picture of an instance
+ *     critreg_learner_to_svg   the same with what was tried there
  *     critreg_planner_init     PDDL texts and memory make a planner
  *     critreg_plan             operators and parameters that reach a goal
  *     critreg_skills_learn     what a planner is to know of all controllers, by trying them
@@ -725,6 +728,16 @@
  * Bodies with sizes, and the relations between them; without it, a shape has key points only.
  */
 #define CRITREG_HAS_BODIES (1 << 5)
+
+/**
+ * Learners; without them there are regions only, from text or bytes.
+ */
+#define CRITREG_HAS_LEARNER (1 << 6)
+
+/**
+ * The planner, skills and the built-in environment.
+ */
+#define CRITREG_HAS_PLANNER (1 << 7)
 
 /**
  * Longest domain text in bytes, with its NUL.
@@ -2358,7 +2371,7 @@ const char *critreg_version(void);
 
 /**
  * What the library that runs was built with; everything unless someone left it out. What
- * is not there is refused where it is asked for. Bits that are not named here are 0.
+ * is not there is refused where it is asked for; functions that are not there are not linked. Bits that are not named here are 0.
  *
  * @return CRITREG_HAS_F64 and its like, combined with or.
  */
@@ -2409,6 +2422,28 @@ critreg_status critreg_report_init(struct critreg_report *report, size_t size);
  * size is smaller than the struct ever was, or larger than this library knows.
  */
 critreg_status critreg_config_init(struct critreg_config *config, size_t size);
+
+/**
+ * Looks at the configuration of a learner and says what is wrong with it, such as
+ * "config.noise is from 0 to 0.2, not 0.5".
+ *
+ * What depends on the domain text is not looked at: the manual samples of
+ * CRITREG_ALGORITHM1.
+ *
+ * @param config The configuration, from critreg_config_init() and changed since; NULL for
+ * the defaults, with which nothing is wrong.
+ * @param text Receives the words, as for critreg_check_domain().
+ * @param len Length of text in bytes; 0 if the words are not wanted.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_OK if critreg_learner_init() would accept it, given memory enough;
+ * CRITREG_INVALID_ARGUMENT; CRITREG_NOT_FINITE for a share that is NaN or infinite;
+ * CRITREG_TOO_SMALL if no memory can be that large; CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_check_config(const struct critreg_config *config,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
 
 /**
  * How many bytes of memory a learner takes.
@@ -2828,6 +2863,30 @@ critreg_status critreg_learner_message(const struct critreg_learner *learner,
                                        size_t *needed);
 
 /**
+ * Draws what is learned so far in an instance, as critreg_region_to_svg(), with what was
+ * told about that instance: what worked in blue, what failed as red crosses. While there
+ * is no region, only that and what the parameters can choose.
+ *
+ * @param learner The learner.
+ * @param instances The instances of the problem, one behind the other.
+ * @param count How many there are.
+ * @param index Which of them is drawn, from 0.
+ * @param text Receives the SVG, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the
+ * buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_INVALID_ARGUMENT for
+ * an index that is not below count; and as critreg_region_to_svg() and critreg_ask().
+ */
+critreg_status critreg_learner_to_svg(struct critreg_learner *learner,
+                                      const double *instances,
+                                      size_t count,
+                                      size_t index,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+
+/**
  * Saves what a learner was told, so that a run can be resumed: versioned,
  * checksummed, the same on every machine. A sample that was asked for but not
  * told is saved with it, and asked for again after resuming.
@@ -2987,6 +3046,44 @@ critreg_status critreg_region_load(void *memory,
                                    const uint8_t *bytes,
                                    size_t len,
                                    struct critreg_region **region);
+
+/**
+ * Reads a domain text and says what is wrong with it, such as
+ * "line 3, column 7: unknown object".
+ *
+ * @param domain The domain text, ended by NUL.
+ * @param text Receives the words, ended by NUL: an empty text if all is well.
+ * They are written also if the check fails, which is what they are for, and cut
+ * off where the buffer ends. 256 bytes are always enough.
+ * @param len Length of text in bytes; 0 if the words are not wanted.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_OK if the text is a domain; CRITREG_SYNTAX_ERROR; CRITREG_CAPACITY_EXCEEDED if it is
+ * longer than CRITREG_DOMAIN_TEXT_MAX or declares too many things;
+ * CRITREG_INVALID_ARGUMENT if it is not UTF-8; CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED.
+ */
+critreg_status critreg_check_domain(const char *domain,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
+
+/**
+ * Reads a region text and says what is wrong with it.
+ *
+ * @param domain The domain text that the region speaks about, ended by NUL.
+ * @param region_text The region text, ended by NUL.
+ * @param text Receives the words, as for critreg_check_domain(). If the domain
+ * text is wrong, they are about that.
+ * @param len Length of text in bytes; 0 if the words are not wanted.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_OK if critreg_region_parse() would accept both texts, else as
+ * critreg_check_domain().
+ */
+critreg_status critreg_check_region(const char *domain,
+                                    const char *region_text,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
 
 /**
  * Writes a region with its domain and precision as bytes: versioned, checksummed, the same
@@ -3402,6 +3499,57 @@ critreg_status critreg_region_to_c(const struct critreg_region *region,
                                    size_t *needed);
 
 /**
+ * Writes a region as a module of Rust that needs the crate libm only, and neither std nor a
+ * heap: contains(), margins(), intervals() and sample(), which say what those of
+ * critreg_region_to_c() do, and are there where those are.
+ *
+ * What is computed is what the library computes, equal to the last bit.
+ *
+ * @param region The region.
+ * @param precision What the module computes with: CRITREG_F64 or CRITREG_F32.
+ * @param text Receives the module, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the
+ * buffer is too small.
+ * @return CRITREG_INVALID_ARGUMENT for another precision; otherwise as
+ * critreg_region_to_c().
+ */
+critreg_status critreg_region_to_rust(const struct critreg_region *region,
+                                      uint32_t precision,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+
+/**
+ * Draws a region in an instance, as SVG: its text; the scene with its bodies, and where
+ * the action moves points and bodies, green where it is expected to work and grey where
+ * not; beside it the parameters that are inside, of one as intervals, of two as an area,
+ * of more as draws. In space the scene is seen from above and from the side.
+ *
+ * The same region and instance give the same text everywhere. It has some 10 to 100 KB.
+ *
+ * ```c
+ * size_t needed;
+ * critreg_region_to_svg(region, instance, NULL, 0, &needed);
+ * ```
+ *
+ * @param region The region.
+ * @param instance The instance: one number per attribute.
+ * @param text Receives the SVG, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the
+ * buffer is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_NOT_FINITE for a
+ * number of the instance; CRITREG_CAPACITY_EXCEEDED if more points of the domain move
+ * than fit; CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_to_svg(const struct critreg_region *region,
+                                     const double *instance,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
+
+/**
  * A generator with this seed.
  */
 struct critreg_rng critreg_rng_seed(uint64_t seed);
@@ -3425,6 +3573,42 @@ critreg_status critreg_rng_uniform(struct critreg_rng *rng, double *number);
  */
 critreg_status critreg_planner_config_init(struct critreg_planner_config *config,
                                            size_t size);
+
+/**
+ * Reads a PDDL domain and a problem of it and says what is wrong with them, such as
+ * "problem, line 3, column 7: unknown object".
+ *
+ * @param domain The PDDL domain, ended by NUL.
+ * @param problem A PDDL problem of that domain, ended by NUL.
+ * @param text Receives the words, as for critreg_check_domain().
+ * @param len Length of text in bytes; 0 if the words are not wanted.
+ * @param needed NULL, or receives the length of the words with their NUL.
+ * @return CRITREG_OK if critreg_planner_init() would accept both texts, given
+ * memory enough, else as critreg_check_domain(); CRITREG_CAPACITY_EXCEEDED for a
+ * text longer than CRITREG_PDDL_TEXT_MAX or too many ground atoms.
+ */
+critreg_status critreg_check_pddl(const char *domain,
+                                  const char *problem,
+                                  char *text,
+                                  size_t len,
+                                  size_t *needed);
+
+/**
+ * Sets pddl_bytes, operators, atoms and facts of a configuration to what a PDDL domain and
+ * a problem of it need; the rest stays. Ask critreg_planner_size() then how much memory
+ * that is.
+ *
+ * It takes much stack, see above.
+ *
+ * @param domain The PDDL domain, ended by NUL.
+ * @param problem A PDDL problem of that domain, ended by NUL.
+ * @param config A configuration from critreg_planner_config_init(), to be changed.
+ * @return CRITREG_OK; else as critreg_check_pddl(), which has words for it, and nothing
+ * is changed.
+ */
+critreg_status critreg_planner_measure(const char *domain,
+                                       const char *problem,
+                                       struct critreg_planner_config *config);
 
 /**
  * How many bytes of memory a planner takes.
@@ -3963,102 +4147,6 @@ critreg_status critreg_skills_save(struct critreg_skills *skills,
 critreg_status critreg_skills_resume(struct critreg_skills *skills,
                                      const uint8_t *bytes,
                                      size_t len);
-
-/**
- * Reads a domain text and says what is wrong with it, such as
- * "line 3, column 7: unknown object".
- *
- * @param domain The domain text, ended by NUL.
- * @param text Receives the words, ended by NUL: an empty text if all is well.
- * They are written also if the check fails, which is what they are for, and cut
- * off where the buffer ends. 256 bytes are always enough.
- * @param len Length of text in bytes; 0 if the words are not wanted.
- * @param needed NULL, or receives the length of the words with their NUL.
- * @return CRITREG_OK if the text is a domain; CRITREG_SYNTAX_ERROR; CRITREG_CAPACITY_EXCEEDED if it is
- * longer than CRITREG_DOMAIN_TEXT_MAX or declares too many things;
- * CRITREG_INVALID_ARGUMENT if it is not UTF-8; CRITREG_NULL_POINTER,
- * CRITREG_MISALIGNED.
- */
-critreg_status critreg_check_domain(const char *domain,
-                                    char *text,
-                                    size_t len,
-                                    size_t *needed);
-
-/**
- * Looks at the configuration of a learner and says what is wrong with it, such as
- * "config.noise is from 0 to 0.2, not 0.5".
- *
- * What depends on the domain text is not looked at: the manual samples of
- * CRITREG_ALGORITHM1.
- *
- * @param config The configuration, from critreg_config_init() and changed since; NULL for
- * the defaults, with which nothing is wrong.
- * @param text Receives the words, as for critreg_check_domain().
- * @param len Length of text in bytes; 0 if the words are not wanted.
- * @param needed NULL, or receives the length of the words with their NUL.
- * @return CRITREG_OK if critreg_learner_init() would accept it, given memory enough;
- * CRITREG_INVALID_ARGUMENT; CRITREG_NOT_FINITE for a share that is NaN or infinite;
- * CRITREG_TOO_SMALL if no memory can be that large; CRITREG_NULL_POINTER,
- * CRITREG_MISALIGNED.
- */
-critreg_status critreg_check_config(const struct critreg_config *config,
-                                    char *text,
-                                    size_t len,
-                                    size_t *needed);
-
-/**
- * Reads a region text and says what is wrong with it.
- *
- * @param domain The domain text that the region speaks about, ended by NUL.
- * @param region_text The region text, ended by NUL.
- * @param text Receives the words, as for critreg_check_domain(). If the domain
- * text is wrong, they are about that.
- * @param len Length of text in bytes; 0 if the words are not wanted.
- * @param needed NULL, or receives the length of the words with their NUL.
- * @return CRITREG_OK if critreg_region_parse() would accept both texts, else as
- * critreg_check_domain().
- */
-critreg_status critreg_check_region(const char *domain,
-                                    const char *region_text,
-                                    char *text,
-                                    size_t len,
-                                    size_t *needed);
-
-/**
- * Reads a PDDL domain and a problem of it and says what is wrong with them, such as
- * "problem, line 3, column 7: unknown object".
- *
- * @param domain The PDDL domain, ended by NUL.
- * @param problem A PDDL problem of that domain, ended by NUL.
- * @param text Receives the words, as for critreg_check_domain().
- * @param len Length of text in bytes; 0 if the words are not wanted.
- * @param needed NULL, or receives the length of the words with their NUL.
- * @return CRITREG_OK if critreg_planner_init() would accept both texts, given
- * memory enough, else as critreg_check_domain(); CRITREG_CAPACITY_EXCEEDED for a
- * text longer than CRITREG_PDDL_TEXT_MAX or too many ground atoms.
- */
-critreg_status critreg_check_pddl(const char *domain,
-                                  const char *problem,
-                                  char *text,
-                                  size_t len,
-                                  size_t *needed);
-
-/**
- * Sets pddl_bytes, operators, atoms and facts of a configuration to what a PDDL domain and
- * a problem of it need; the rest stays. Ask critreg_planner_size() then how much memory
- * that is.
- *
- * It takes much stack, see above.
- *
- * @param domain The PDDL domain, ended by NUL.
- * @param problem A PDDL problem of that domain, ended by NUL.
- * @param config A configuration from critreg_planner_config_init(), to be changed.
- * @return CRITREG_OK; else as critreg_check_pddl(), which has words for it, and nothing
- * is changed.
- */
-critreg_status critreg_planner_measure(const char *domain,
-                                       const char *problem,
-                                       struct critreg_planner_config *config);
 
 /**
  * The domain text of picking the stick with one button on the table, the action

@@ -257,6 +257,18 @@ public:
         return Errors::give(failure, [&] { return report; });
     }
 
+    /** A picture of what is learned and was told so far of one of the instances, as SVG. */
+    [[nodiscard]] Returned<std::string> to_svg(Numbers instances, std::size_t index) {
+        std::string text;
+        const Failure failure = with(instances, [&](std::size_t count) {
+            return detail::fill_text(text, [&](char *into, std::size_t len, std::size_t *needed) {
+                return critreg_learner_to_svg(handle(), instances.data(), count, index, into, len,
+                                              needed);
+            });
+        });
+        return Errors::give(failure, [&] { return std::move(text); });
+    }
+
     /** What was told so far, as bytes. */
     [[nodiscard]] Returned<std::vector<std::uint8_t>> save(Numbers instances) {
         std::vector<std::uint8_t> bytes;

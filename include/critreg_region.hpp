@@ -204,6 +204,27 @@ public:
         return Errors::give(Failure(status), [&] { return std::move(text); });
     }
 
+    /** The region as a module of Rust, which computes with CRITREG_F64 or CRITREG_F32. */
+    [[nodiscard]] Returned<std::string> to_rust(std::uint32_t precision = CRITREG_F64) const {
+        std::string text;
+        const critreg_status status =
+            detail::fill_text(text, [&](char *into, std::size_t len, std::size_t *needed) {
+                return critreg_region_to_rust(handle(), precision, into, len, needed);
+            });
+        return Errors::give(Failure(status), [&] { return std::move(text); });
+    }
+
+    /** A picture of the region in an instance, as SVG. */
+    [[nodiscard]] Returned<std::string> to_svg(Numbers instance) const {
+        std::string text;
+        const Failure failure = detail::first(fits(instance), [&] {
+            return detail::fill_text(text, [&](char *into, std::size_t len, std::size_t *needed) {
+                return critreg_region_to_svg(handle(), instance.data(), into, len, needed);
+            });
+        });
+        return Errors::give(failure, [&] { return std::move(text); });
+    }
+
     /** Whether it is proven that it has no parameters in an instance. Does not allocate. */
     [[nodiscard]] Returned<bool> is_empty(Numbers instance) const {
         std::int32_t empty = 0;

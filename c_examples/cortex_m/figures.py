@@ -15,11 +15,11 @@ README = HERE / "README.md"
 BEGIN, END = "<!-- figures -->\n", "<!-- end of figures -->\n"
 GROWTH = 1.05
 
-# A column each: what is computed with, and the features of the library.
+# A column each: what is computed with, and the feature of the library.
 VARIANTS = {
-    "f64": "halt f64",
-    "f32": "halt f32",
-    "f32, micromath": "halt micromath",
+    "f64": "f64",
+    "f32": "f32",
+    "f32, micromath": "micromath",
 }
 
 # A row each: the key, and what it is.
@@ -35,6 +35,9 @@ ROWS = {
     "tell_mean": "instructions per `critreg_tell`, mean of 100",
     "tell_max": "instructions per `critreg_tell`, most",
     "sample": "instructions per `critreg_sample_region`, mean of 100",
+    "sampling_flash": "without learners and planner: flash, `sample.c` with the library, bytes",
+    "sampling_ram": "without learners and planner: RAM, a region with its domain, bytes",
+    "sampling_stack": "without learners and planner: deepest stack, bytes",
 }
 
 
@@ -50,14 +53,24 @@ def sections(program):
     return dict(re.findall(r"^\.(\S+)\s+(\d+)", listing, re.MULTILINE))
 
 
-def measure(features):
-    """The figures of a library with these features, by key."""
-    run("make", "--silent", "measure", f"FEATURES={features}")
+def measured(target, printed, *settings):
+    """What a program printed, by key."""
+    run("make", "--silent", target, *settings)
+    lines = printed.read_text().splitlines()
+    return {key: int(number) for key, number in map(str.split, lines)}
+
+
+def measure(precision):
+    """The figures of a library with this precision, by key."""
     build = HERE.parent / "build" / "cortex_m"
+    figures = measured("measure", build / "figures.txt", f"FEATURES=halt planner {precision}")
     size = sections(build / "pick.elf")
-    lines = (build / "figures.txt").read_text().splitlines()
-    figures = {key: int(number) for key, number in map(str.split, lines)}
-    return {"flash": int(size["text"]), "c_library": int(size["c_library"]), **figures}
+    figures |= {"flash": int(size["text"]), "c_library": int(size["c_library"])}
+    build = build.with_name("cortex_m_sampling")
+    settings = f"FEATURES=halt {precision}", f"BUILD=../build/{build.name}"
+    figures |= measured("sampling", build / "sampling.txt", *settings)
+    size = sections(build / "sample.elf")
+    return figures | {"sampling_flash": int(size["text"]) + int(size["c_library"])}
 
 
 def table(columns):
@@ -102,7 +115,7 @@ def compare(new, begin, end):
 
 
 def main():
-    new = table({name: measure(features) for name, features in VARIANTS.items()})
+    new = table({name: measure(precision) for name, precision in VARIANTS.items()})
     compare(new, BEGIN, END)
 
 

@@ -20,6 +20,7 @@
 //! | [`pddl`] | operators and problems as text, grounded |
 //! | [`mod@task`] | states, predicates, operators, controllers, environments, tasks |
 //! | [`learn`] | learners: they ask for samples, are told what came of them, and end with a region |
+//! | [`picture`] | pictures of a scene and of what a region admits there, as SVG |
 //! | [`region`] | regions: constraints, grounded in an instance, sampled exactly |
 //! | [`grammar`] | features and hypotheses made of a domain, formulas and their text |
 //! | [`domain`] | what can be said of an action: the domain text, terms, and numbers put into them |
@@ -99,6 +100,7 @@ pub mod geometry;
 pub mod grammar;
 pub mod learn;
 pub mod pddl;
+pub mod picture;
 pub mod plan;
 pub mod random;
 pub mod real;

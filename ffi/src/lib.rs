@@ -14,7 +14,6 @@
 //! | [`planner`] | the planner: configuration, callbacks, plans, what they cost | `boundary` |
 //! | [`skill`] | skills: what is learned of a program's controllers, and planning with it | `boundary`, `learner`, `planner` |
 //! | [`stick_button`] | the built-in environment, to learn and to plan in | `boundary`, `learner`, `planner` |
-//! | [`check`] | what is wrong with a text, in words | the above |
 //!
 //! # Why it is sound
 //! - The parts of a handle are cut out of the caller's memory without overlap (the
@@ -43,12 +42,24 @@
 )]
 #![allow(non_camel_case_types, reason = "these are the names of the C types")]
 
+#[cfg_attr(
+    not(feature = "planner"),
+    allow(
+        dead_code,
+        unused_imports,
+        unused_macros,
+        reason = "others need less of it"
+    )
+)]
 pub mod boundary;
-pub mod check;
+#[cfg(feature = "learner")]
 pub mod learner;
+#[cfg(feature = "planner")]
 pub mod planner;
 pub mod region;
+#[cfg(feature = "planner")]
 pub mod skill;
+#[cfg(feature = "planner")]
 pub mod stick_button;
 
 #[cfg(all(feature = "halt", panic = "abort"))]

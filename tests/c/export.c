@@ -96,6 +96,23 @@ static void as_c(const critreg_region *region)
     EXPECT(CRITREG_NULL_POINTER, critreg_region_to_c(NULL, "grasp", text, sizeof text, NULL));
 }
 
+static void as_rust(const critreg_region *region)
+{
+    static char text[32768];
+    size_t needed = 0;
+    EXPECT(CRITREG_TOO_SMALL, critreg_region_to_rust(region, CRITREG_F64, NULL, 0, &needed));
+    EXPECT_TRUE(needed > 1000 && needed <= sizeof text);
+    OK(critreg_region_to_rust(region, CRITREG_F64, text, sizeof text, NULL));
+    EXPECT_TRUE(strlen(text) + 1 == needed);
+    EXPECT_TRUE(strstr(text, "pub type Real = f64;") != NULL);
+    EXPECT_TRUE(strstr(text, "pub fn sample(") != NULL);
+    OK(critreg_region_to_rust(region, CRITREG_F32, text, sizeof text, NULL));
+    EXPECT_TRUE(strstr(text, "pub type Real = f32;") != NULL);
+    EXPECT(CRITREG_INVALID_ARGUMENT, critreg_region_to_rust(region, 16, text, sizeof text, NULL));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_to_rust(region, CRITREG_F64, NULL, 9, NULL));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_to_rust(NULL, CRITREG_F64, text, 9, NULL));
+}
+
 int main(void)
 {
     const critreg_region *region =
@@ -104,5 +121,6 @@ int main(void)
     many(region);
     nothing_inside();
     as_c(region);
+    as_rust(region);
     return summary();
 }

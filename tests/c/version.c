@@ -53,7 +53,8 @@ static void capabilities(void)
     /* What is built unless someone chooses otherwise. */
     EXPECT_TRUE(critreg_capabilities()
                 == (CRITREG_HAS_F64 | CRITREG_HAS_F32 | CRITREG_HAS_ALGORITHM1
-                    | CRITREG_HAS_MANY_OBSERVATIONS | CRITREG_HAS_BODIES));
+                    | CRITREG_HAS_MANY_OBSERVATIONS | CRITREG_HAS_BODIES
+                    | CRITREG_HAS_LEARNER | CRITREG_HAS_PLANNER));
 }
 
 int main(void)

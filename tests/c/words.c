@@ -57,9 +57,51 @@ static void texts(void)
     EXPECT_TRUE(strstr(words, "line 1, column 17: there are no powers") == words);
 }
 
+/* Of a name that is not there, which one was meant, if one is like it. */
+static void region_says(const char *region, const char *end)
+{
+    size_t length = strlen(end), said;
+    EXPECT(CRITREG_SYNTAX_ERROR, critreg_check_region(DOMAIN, region, words, sizeof words, NULL));
+    said = strlen(words);
+    EXPECT_TRUE(said >= length && strcmp(words + said - length, end) == 0);
+    if (said < length || strcmp(words + said - length, end) != 0)
+        fprintf(stderr, "%s does not end with %s\n", words, end);
+}
+
+static void names(void)
+{
+    region_says("reahc <= 1", "; did you mean reach?");
+    region_says("\n  reach <= 1 and hand.y <=\n wal.x", "; did you mean wall.x?");
+    region_says("hand.xx <= 1", "; did you mean hand.x?");
+    region_says("reach <= hand.radus", "; did you mean hand.radius?");
+    region_says("dist(hnd, wall) <= 1", "; did you mean hand?");
+    region_says("banana <= 1", "coordinate of a point");
+    EXPECT(CRITREG_SYNTAX_ERROR,
+           critreg_check_domain("constant size = 1: length\nparameter a in [0, sise]: length",
+                                words, sizeof words, NULL));
+    EXPECT_TRUE(strstr(words, "; did you mean size?") != NULL);
+}
+
+/* Which number of which instance is wrong. */
+static void numbers(void)
+{
+    static uint64_t memory[CRITREG_LEARNER_WORDS(1024, 256)];
+    critreg_learner *learner = reach_learner(memory, sizeof memory);
+    double walls[INSTANCES * 2], theta;
+    size_t instance;
+    memcpy(walls, WALLS, sizeof walls);
+    walls[5] = NAN;
+    EXPECT(CRITREG_NOT_FINITE, critreg_ask(learner, walls, INSTANCES, &instance, &theta));
+    OK(critreg_learner_message(learner, words, sizeof words, NULL));
+    EXPECT_TRUE(strcmp(words, "instance 2: wall.y, its number 1, is NaN or infinite") == 0);
+    expect_usable(learner);
+}
+
 int main(void)
 {
     configurations();
     texts();
+    names();
+    numbers();
     return summary();
 }

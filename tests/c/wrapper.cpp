@@ -73,6 +73,9 @@ static void views() {
     region.margins({1.0, 0.0}, {0.5}, values, gradients);
     EXPECT_TRUE(values[0] < 0.0 && gradients[0] == 1.0);
     EXPECT_TRUE(region.to_c("reach").find("reach_contains") != std::string::npos);
+    EXPECT_TRUE(region.to_rust().find("pub fn contains(") != std::string::npos);
+    EXPECT_TRUE(region.to_svg({1.0, 0.0}).find("</svg>") != std::string::npos);
+    EXPECT_TRUE(thrown([&] { (void)region.to_svg({1.0}); }) == Status::invalid_argument);
     critreg::Rng many(3);
     double drawn[5] = {9.0, 9.0, 9.0, 9.0, 9.0};
     EXPECT_TRUE(region.sample_many({1.0, 0.0}, many, drawn) == 5 && drawn[4] <= 0.9);

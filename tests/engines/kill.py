@@ -91,6 +91,14 @@ def main():
             assert disturbed.saved() == whole.saved(), f"run {runs} differs"
             region = whole.command("region")
             assert "hand.radius" in region[0], region
+            picture, status = whole.command("draw", 0)
+            assert status == 0 and "tried, and worked" in picture, picture
+            (folder / "region").write_text(region[0])
+            (folder / "wall").write_text("1 0")
+            texts = [HERE / "domain", folder / "region", folder / "wall"]
+            words = [*program, "draw", *map(str, texts)]
+            same = subprocess.run(words, stdout=subprocess.PIPE, text=True, check=True).stdout
+            assert same.endswith("</svg>\n") and "tried" not in same, same
             killed += disturbed.killed
             runs += 1
             print(f"{killed} of {kills} kills", file=sys.stderr)

@@ -19,7 +19,9 @@ for target in "$host" thumbv7em-none-eabihf thumbv6m-none-eabi; do
     run check --package critreg --features environments
     # For a program in Rust, which has a panic handler, and for those in C.
     run check --package critreg-ffi
-    for features in f64 f32 micromath "f64 f32" "f32 bodies"; do
+    # The first two only draw.
+    for features in f64 "f32 bodies" "learner f32" "planner f64" "planner micromath" \
+        "planner f64 f32" "planner f32 bodies"; do
         run rustc --package critreg-ffi --no-default-features --features "$features halt" \
             --profile check --crate-type staticlib
     done

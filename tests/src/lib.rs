@@ -1,4 +1,5 @@
 //! What the tests, benchmarks and reports of critreg share.
+pub mod actions;
 pub mod arm;
 pub mod by_hand;
 pub mod data;

@@ -81,6 +81,18 @@ impl<'t> Domain<'t> {
         )
     }
 
+    /// The place of the first number of an instance that is NaN or infinite, and not because a
+    /// member of a group is absent.
+    pub fn first_not_finite(&self, instance: &[f64]) -> Option<usize> {
+        let wrong = self
+            .objects
+            .iter()
+            .find(|object| self.check_object(object, instance).is_err());
+        let first = usize::from(wrong?.first_slot);
+        let own = instance.get(first..)?;
+        Some(first + own.iter().position(|number| !number.is_finite())?)
+    }
+
     /// Checks that `theta` has one finite number per parameter.
     ///
     /// # Errors

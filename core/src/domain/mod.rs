@@ -156,6 +156,7 @@ mod point_set;
 mod sample;
 mod scene;
 mod schema;
+mod similar;
 mod turns;
 
 pub(crate) use node::{TermError, copy, intern, is_same};
@@ -176,3 +177,4 @@ pub use schema::{
     MAX_FEATURES, MAX_GROUPS, MAX_OBJECTS, MAX_PARAMETERS, MAX_PARTS, MAX_POINTS, MAX_SHAPES,
     MAX_TYPES,
 };
+pub use similar::Name;

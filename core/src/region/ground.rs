@@ -2,7 +2,7 @@
 
 use super::interval::{Interval, IntervalSet};
 use super::lifted::Region;
-use super::parameters::{ParameterSet, Vector};
+use super::parameters::{ParameterSet, Theta, Vector};
 use super::slice::slice;
 use crate::domain::{Arithmetic, Domain, MAX_PARAMETERS, Parameter, Range, Sample, Scene};
 use crate::error::Error;
@@ -139,6 +139,37 @@ impl<'a, R: Real> Grounded<'a, R> {
                 "intervals exist for an action with one parameter",
             )),
         }
+    }
+
+    /// The admitted values of one parameter while the others stay as they are in `theta`;
+    /// what that has of the parameter itself does not count.
+    ///
+    /// As with [`Grounded::intervals`], the set may be too large where it is not exact.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] unless the action has such a parameter.
+    pub fn intervals_along(
+        &self,
+        parameter: usize,
+        theta: &Theta,
+    ) -> Result<IntervalSet<R>, Error> {
+        let Some(own) = self.parameters().get(parameter) else {
+            return Err(Error::InvalidArgument("the action has no such parameter"));
+        };
+        let mut origin = theta.map(R::from_f64);
+        let mut direction = [R::ZERO; MAX_PARAMETERS];
+        if let (Some(at), Some(slope)) = (origin.get_mut(parameter), direction.get_mut(parameter)) {
+            (*at, *slope) = (R::ZERO, R::ONE);
+        }
+        let ends = [own.low, own.high].map(R::from_f64);
+        let mut set = IntervalSet::default();
+        self.slice([&origin, &direction], ends, &mut set)?;
+        Ok(set)
+    }
+
+    /// The domain that it speaks of.
+    pub fn domain(&self) -> &'a Domain<'a> {
+        self.domain
     }
 }
 

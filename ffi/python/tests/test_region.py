@@ -4,6 +4,7 @@ import array
 import copy
 import pickle
 import unittest
+import xml.etree.ElementTree
 
 import critreg
 from texts import DOMAIN, INSTANCES, PLANE, TRUTH, try_grasp
@@ -91,6 +92,26 @@ class Regions(unittest.TestCase):
             self.assertEqual(twin.constraints, learned.constraints)
             self.assertEqual(twin.quality, critreg.Quality.EXACT)
         self.assertIsNone(self.region.constraints[0].evidence)
+
+    def test_code(self):
+        self.assertIn("int pick_contains(", self.region.to_c("pick"))
+        self.assertIn("pub type Real = f64;", self.region.to_rust())
+        self.assertIn("pub type Real = f32;", self.region.to_rust(32))
+        with self.assertRaises(critreg.Error):
+            self.region.to_rust(16)
+
+    def test_pictures(self):
+        picture = self.region.picture(INSTANCES[0])
+        self.assertTrue(picture.startswith("<svg") and "grasp" in picture)
+        self.assertEqual(picture._repr_svg_(), picture)
+        xml.etree.ElementTree.fromstring(picture)
+        learner = critreg.Learner(DOMAIN, INSTANCES)
+        self.assertIn("what can be chosen", learner.picture(0))
+        learner.observe(1, [0.5], False)
+        self.assertNotIn("tried, and failed", learner.picture(0))
+        self.assertIn("tried, and failed", learner.picture(1))
+        with self.assertRaisesRegex(critreg.Error, "no instance"):
+            learner.picture(len(INSTANCES))
 
     def test_generators(self):
         one, two = critreg.Rng(3), critreg.Rng(3)

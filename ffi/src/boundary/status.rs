@@ -3,6 +3,7 @@
 use core::ffi::{CStr, c_char};
 use core::fmt;
 use critreg_core::Error;
+use critreg_core::domain::Domain;
 use critreg_core::text::write_number;
 
 /// What became of a call: CRITREG_OK, one of the codes below, or the status of
@@ -55,6 +56,9 @@ pub const CRITREG_NO_PLAN: critreg_status = 17;
 /// them and finds it again as the status of the call.
 pub const CRITREG_USER_STATUS: critreg_status = 1000;
 
+/// How much of a name stands in a message, which has room for 128 bytes.
+const LONGEST_NAME: usize = 30;
+
 /// Why a call failed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Failure {
@@ -79,6 +83,9 @@ pub(crate) enum Failure {
     Share(&'static str, [u8; 8]),
     /// There are more things than fit: how many, and what.
     TooMany(u32, &'static str),
+    /// A number of an instance is NaN or infinite: which one of which instance, in a domain
+    /// that lives as long as the handle.
+    NotFinite(&'static Domain<'static>, u32, u8),
     /// The core refused.
     Core(Error),
 }
@@ -112,6 +119,7 @@ impl Failure {
             }
             Failure::Share(..) => CRITREG_INVALID_ARGUMENT,
             Failure::TooMany(..) => CRITREG_CAPACITY_EXCEEDED,
+            Failure::NotFinite(..) => CRITREG_NOT_FINITE,
             Failure::Core(error) => match error {
                 Error::Syntax(_) => CRITREG_SYNTAX_ERROR,
                 Error::CapacityExceeded(_) => CRITREG_CAPACITY_EXCEEDED,
@@ -148,6 +156,14 @@ impl fmt::Display for Failure {
                 write_number(f, share)
             }
             Failure::TooMany(count, what) => write!(f, "{count} {what}"),
+            Failure::NotFinite(domain, instance, slot) => {
+                write!(f, "instance {instance}: ")?;
+                if let Some((object, attribute)) = domain.slots().nth(usize::from(*slot)) {
+                    let short = |name: &'static str| name.get(..LONGEST_NAME).unwrap_or(name);
+                    write!(f, "{}.{}", short(object.name), short(attribute.name))?;
+                }
+                write!(f, ", its number {slot}, is NaN or infinite")
+            }
             Failure::Core(error) => error.fmt(f),
         }
     }

@@ -1,7 +1,7 @@
 //! Text and bytes that go into a buffer of the caller.
 
 use crate::boundary::pointer::{self, Output};
-use crate::boundary::status::{Failure, Fallible};
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use core::ffi::c_char;
 use core::fmt;
 use critreg_core::text::TextBuffer;
@@ -66,15 +66,36 @@ pub(crate) unsafe fn write(
     len: usize,
     needed: *mut usize,
 ) -> Fallible {
-    let length = length_of(text).saturating_add(1);
+    // SAFETY: by this function's contract.
+    unsafe { write_by(|out| shown(text, out), buffer, len, needed) }
+}
+
+/// Buffers take what fits and never fail; nor does what writes a text that can be shown.
+fn shown(text: &dyn fmt::Display, out: &mut dyn fmt::Write) -> Fallible {
+    let _ = fmt::write(out, format_args!("{text}"));
+    Ok(())
+}
+
+/// As [`write`], a text that is written by what may fail: then nothing is.
+///
+/// # Safety
+/// As for [`write`].
+pub(crate) unsafe fn write_by(
+    text: impl Fn(&mut dyn fmt::Write) -> Fallible,
+    buffer: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> Fallible {
+    let mut counter = TextBuffer::new(&mut []);
+    text(&mut counter)?;
+    let length = counter.needed().saturating_add(1);
     // SAFETY: by this function's contract.
     unsafe { tell_needed(buffer, len, "text", needed, length)? };
     if length > len {
         return Err(Failure::TooSmall("the buffer for the text"));
     }
     // SAFETY: just checked; writable by this function's contract.
-    unsafe { fill(text, buffer, len) };
-    Ok(())
+    unsafe { fill(|out| text(out), buffer, len) }
 }
 
 /// Writes a text with its NUL, cut off where the buffer ends.
@@ -91,25 +112,28 @@ pub(crate) unsafe fn write_cut_off(
     // SAFETY: by this function's contract; the buffer is checked before it is filled.
     unsafe {
         tell_needed(buffer, len, "text", needed, length)?;
-        fill(text, buffer, len);
+        fill(|out| shown(text, out), buffer, len)
     }
-    Ok(())
 }
 
 /// # Safety
 /// `buffer` is writable for `len` bytes.
-unsafe fn fill(text: &dyn fmt::Display, buffer: *mut c_char, len: usize) {
+unsafe fn fill(
+    text: impl FnOnce(&mut dyn fmt::Write) -> Fallible,
+    buffer: *mut c_char,
+    len: usize,
+) -> Fallible {
     let Some(left) = len.checked_sub(1) else {
-        return;
+        return Ok(());
     };
     let mut out = Buffer {
         next: buffer.cast(),
         left,
     };
-    // The buffer takes what fits and never fails.
-    let _ = fmt::write(&mut out, format_args!("{text}"));
+    let written = text(&mut out);
     // SAFETY: one byte was kept back for the NUL.
     unsafe { out.next.write(0) };
+    written
 }
 
 /// Fills a byte buffer by `save`, or writes nothing if it is shorter than
@@ -136,4 +160,21 @@ pub(crate) unsafe fn write_bytes(
         core::slice::from_raw_parts_mut(bytes, length)
     };
     save(room).map(|_| ())
+}
+
+/// Writes what is wrong with something, cut off where the buffer ends, and tells the status.
+///
+/// # Safety
+/// As for [`write`].
+pub(crate) unsafe fn explain(
+    words: &dyn fmt::Display,
+    checked: Fallible,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: by this function's contract.
+    let written = unsafe { write_cut_off(words, text, len, needed) };
+    // A wrong buffer is the first thing to put right.
+    status_of(written.and(checked))
 }

@@ -27,6 +27,10 @@ pub const CRITREG_HAS_ALGORITHM1: u32 = 1 << 3;
 pub const CRITREG_HAS_MANY_OBSERVATIONS: u32 = 1 << 4;
 /// Bodies with sizes, and the relations between them; without it, a shape has key points only.
 pub const CRITREG_HAS_BODIES: u32 = 1 << 5;
+/// Learners; without them there are regions only, from text or bytes.
+pub const CRITREG_HAS_LEARNER: u32 = 1 << 6;
+/// The planner, skills and the built-in environment.
+pub const CRITREG_HAS_PLANNER: u32 = 1 << 7;
 
 /// Whether a number of the package's version, as text, is this one.
 const fn is(text: &str, number: u32) -> bool {
@@ -52,7 +56,7 @@ pub extern "C" fn critreg_version() -> *const c_char {
 }
 
 /// What the library that runs was built with; everything unless someone left it out. What
-/// is not there is refused where it is asked for. Bits that are not named here are 0.
+/// is not there is refused where it is asked for; functions that are not there are not linked. Bits that are not named here are 0.
 ///
 /// @return CRITREG_HAS_F64 and its like, combined with or.
 #[unsafe(no_mangle)]
@@ -69,4 +73,6 @@ pub extern "C" fn critreg_capabilities() -> u32 {
             CRITREG_HAS_MANY_OBSERVATIONS,
         )
         | bit(cfg!(feature = "bodies"), CRITREG_HAS_BODIES)
+        | bit(cfg!(feature = "learner"), CRITREG_HAS_LEARNER)
+        | bit(cfg!(feature = "planner"), CRITREG_HAS_PLANNER)
 }

@@ -1,9 +1,9 @@
 //! What all learners of the core have in common for C.
 
-#[cfg(feature = "algorithm1")]
-use crate::learner::quality::CRITREG_NO_QUALITY;
 use crate::learner::quality::number;
 use crate::learner::report::critreg_report;
+#[cfg(feature = "algorithm1")]
+use crate::region::quality::CRITREG_NO_QUALITY;
 use critreg_core::Error;
 use critreg_core::domain::Domain;
 use critreg_core::learn::version_space::{self, Evidence, LeftOut, Why};

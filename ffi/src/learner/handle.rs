@@ -149,6 +149,16 @@ pub(crate) unsafe fn with_learner(
     }
 }
 
+/// Which number of which instance is NaN or infinite.
+fn not_finite(domain: &'static Domain<'static>, instances: &[f64]) -> Option<Failure> {
+    let each = domain.instance_len().max(1);
+    let mut numbered = instances.chunks(each).zip(0u32..);
+    numbered.find_map(|(instance, number)| {
+        let slot = domain.first_not_finite(instance)?;
+        Some(Failure::NotFinite(domain, number, u8::try_from(slot).ok()?))
+    })
+}
+
 /// The problem that the caller's instances make with the learner's domain.
 ///
 /// # Safety
@@ -162,5 +172,11 @@ pub(crate) unsafe fn problem<'a>(
     let numbers = numbers.ok_or(Failure::invalid("count is too large"))?;
     // SAFETY: by this function's contract.
     let instances = unsafe { pointer::slice(instances, numbers, "instances")? };
-    Ok(Problem::new(handle.domain, instances, count)?)
+    Problem::new(handle.domain, instances, count).map_err(|error| {
+        let wrong = not_finite(handle.domain, instances);
+        match error {
+            Error::NotFinite(_) => wrong.unwrap_or(Failure::Core(error)),
+            _ => Failure::Core(error),
+        }
+    })
 }

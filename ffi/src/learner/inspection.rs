@@ -6,9 +6,10 @@ use crate::boundary::status::critreg_status;
 use crate::boundary::structs;
 use crate::boundary::text;
 use crate::learner::handle::{critreg_learner, with_learner};
-use crate::learner::quality::{self, CRITREG_PROVISIONAL};
+use crate::learner::quality;
 use crate::learner::report::critreg_report;
 use crate::region::handle::critreg_region;
+use crate::region::quality::CRITREG_PROVISIONAL;
 use core::ffi::c_char;
 
 /// Whether there is nothing more to ask.

@@ -3,6 +3,7 @@
 //! | module | content |
 //! |---|---|
 //! | [`config`] | what a learner is told to do |
+//! | [`check`] | what is wrong with that, in words |
 //! | `any` | what all learners of the core have in common for C |
 //! | [`handle`] | a learner in the caller's memory |
 //! | `layout`, `tables` | where its parts lie |
@@ -13,9 +14,11 @@
 //! | [`inspection`] | what is asked about one: whether it is finished, what it learned |
 //! | [`quality`] | how good a region is, and why there is none |
 //! | [`report`] | how learning went |
+//! | [`picture`] | what is learned and what was told, as a picture |
 //! | [`saving`] | saving a run and resuming it |
 
 pub(crate) mod any;
+pub mod check;
 pub mod config;
 pub mod handle;
 pub mod inspection;
@@ -23,6 +26,7 @@ pub(crate) mod layout;
 pub mod learning;
 pub mod making;
 pub mod outcome;
+pub mod picture;
 pub mod quality;
 pub mod questions;
 pub mod report;

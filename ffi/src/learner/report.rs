@@ -2,7 +2,8 @@
 
 use crate::boundary::status::{critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
-use crate::learner::quality::{CRITREG_NO_QUALITY, number};
+use crate::learner::quality::number;
+use crate::region::quality::CRITREG_NO_QUALITY;
 use core::ffi::c_void;
 use core::mem::offset_of;
 use critreg_core::learn::VersionSpace;

@@ -3,6 +3,7 @@
 //! | module | content |
 //! |---|---|
 //! | [`config`] | what a planner is told to do, and what it has room for |
+//! | [`check`] | what is wrong with PDDL texts, in words, and what they need |
 //! | [`callbacks`] | what it asks the program |
 //! | `names` | the names of PDDL texts as C wants them |
 //! | `tables`, `layout` | what lies in its memory, and where |
@@ -14,6 +15,7 @@
 //! | [`metrics`], [`inspection`] | what planning cost and what stood in its way, on request |
 
 pub mod callbacks;
+pub mod check;
 pub mod config;
 pub mod handle;
 pub mod inspection;

@@ -1,7 +1,8 @@
-//! A region as C that needs no library.
+//! A region as C or Rust that needs no library.
 
 use crate::boundary::handle;
 use crate::boundary::pointer;
+use crate::boundary::precision::{CRITREG_F32, CRITREG_F64};
 use crate::boundary::status::{Failure, critreg_status};
 use crate::boundary::text;
 use crate::region::handle::critreg_region;
@@ -11,34 +12,6 @@ use critreg_core::Error;
 
 /// Longest name of what is written, with its NUL.
 const NAME_MAX: usize = 65;
-
-/// A region as C, to be written.
-struct Export<'r> {
-    region: &'r critreg_region,
-    name: &'r str,
-}
-
-impl Export<'_> {
-    fn write(&self, out: &mut dyn fmt::Write) -> Result<(), Error> {
-        let critreg_region { region, domain, .. } = self.region;
-        region.write_c(domain, self.name, out)
-    }
-}
-
-impl fmt::Display for Export<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(f).map_err(|_| fmt::Error)
-    }
-}
-
-/// Takes any text.
-struct Nowhere;
-
-impl fmt::Write for Nowhere {
-    fn write_str(&mut self, _: &str) -> fmt::Result {
-        Ok(())
-    }
-}
 
 /// Writes a region as C99 that needs no library: a header with static inline functions,
 /// for a robot on which there is no room for more.
@@ -92,10 +65,45 @@ pub unsafe extern "C" fn critreg_region_to_c(
                 }
                 other => other,
             })?;
-            let export = Export { region, name };
-            // What cannot be written is known before anything is.
-            export.write(&mut Nowhere)?;
-            text::write(&export, text, len, needed)
+            let write =
+                |out: &mut dyn fmt::Write| Ok(region.region.write_c(region.domain, name, out)?);
+            text::write_by(write, text, len, needed)
+        })
+    }
+}
+
+/// Writes a region as a module of Rust that needs the crate libm only, and neither std nor a
+/// heap: contains(), margins(), intervals() and sample(), which say what those of
+/// critreg_region_to_c() do, and are there where those are.
+///
+/// What is computed is what the library computes, equal to the last bit.
+///
+/// @param region The region.
+/// @param precision What the module computes with: CRITREG_F64 or CRITREG_F32.
+/// @param text Receives the module, ended by NUL.
+/// @param len Length of text in bytes; 0 to ask for the length only.
+/// @param needed NULL, or receives the length of the text with its NUL, also if the
+/// buffer is too small.
+/// @return CRITREG_INVALID_ARGUMENT for another precision; otherwise as
+/// critreg_region_to_c().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_region_to_rust(
+    region: *const critreg_region,
+    precision: u32,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        handle::read(region, |handle| {
+            let critreg_region { region, domain, .. } = handle;
+            let write = |out: &mut dyn fmt::Write| match precision {
+                CRITREG_F64 => Ok(region.write_rust::<f64>(domain, out)?),
+                CRITREG_F32 => Ok(region.write_rust::<f32>(domain, out)?),
+                _ => Err(Failure::invalid("there is no precision with this number")),
+            };
+            text::write_by(write, text, len, needed)
         })
     }
 }

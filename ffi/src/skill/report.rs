@@ -3,7 +3,8 @@
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
 use crate::boundary::text;
-use crate::learner::quality::{self, CRITREG_NO_QUALITY, CRITREG_WHY_NOTHING_TOLD};
+use crate::learner::quality::{self, CRITREG_WHY_NOTHING_TOLD};
+use crate::region::quality::CRITREG_NO_QUALITY;
 use crate::skill::handle::{Inner, critreg_skills, with_skills};
 use core::ffi::c_char;
 use core::fmt;

@@ -2,12 +2,14 @@
 //! 6.1, 6.2 and 7.1).
 
 use super::regions::{Learned, Panel, Regions};
-use super::svg::{Point, Svg};
+use super::style::STYLE;
+use critreg::Error;
 use critreg::env::stick_button::{
     BUTTON_RADIUS, HOLDER_HEIGHT, HOLDER_WIDTH, ROBOT_RADIUS, STICK_HEIGHT, STICK_WIDTH,
     TABLE_HEIGHT, TABLE_WIDTH, TIP_WIDTH, World, ZONE_HEIGHT,
 };
 use critreg::geometry::Rectangle;
+use critreg::picture::{Place, Svg};
 
 /// Pixels per unit of length.
 const SCALE: f64 = 46.0;
@@ -16,7 +18,7 @@ const SPACE: f64 = 20.0;
 /// Pixels above a table, for its title.
 const HEAD: f64 = 28.0;
 /// The size of a table with its title and the space behind, in pixels.
-const CELL: Point = [
+const CELL: Place = [
     TABLE_WIDTH * SCALE + SPACE,
     TABLE_HEIGHT * SCALE + HEAD + SPACE,
 ];
@@ -25,79 +27,92 @@ const CELL: Point = [
 const BAND: f64 = 0.12;
 
 /// The picture: three tasks, and what the colours mean.
-pub(super) fn scene(regions: &Regions) -> String {
-    let mut svg = Svg::new(
-        [2.0 * CELL[0] + SPACE, 2.0 * CELL[1]],
-        "Three tasks of the stick-button environment; the part of the stick where the \
-         learned regions say that a grasp works is green",
-    );
+pub(super) fn scene(regions: &Regions) -> Result<String, Error> {
+    const TITLE: &str = "Three tasks of the stick-button environment; the part of the stick where \
+                         the learned regions say that a grasp works is green";
+    let mut text = String::new();
+    let size = [2.0 * CELL[0] + SPACE, 2.0 * CELL[1]];
+    let mut svg = Svg::begin(&mut text, size, |out| out.write_str(TITLE), STYLE)?;
     let [right, below] = [SPACE + CELL[0], CELL[1]];
     let corners = [[SPACE, 0.0], [right, 0.0], [SPACE, below]];
     for (panel, [x, y]) in regions.panels().iter().zip(corners) {
-        svg.words([x, y + HEAD - 8.0], panel.title, "title");
+        svg.words([x, y + HEAD - 8.0], panel.title, "title")?;
         let corner = [x, y + HEAD];
-        Table { corner }.draw(&mut svg, panel);
+        Table { corner }.draw(&mut svg, panel)?;
     }
-    legend(&mut svg, [right, below + HEAD], regions);
-    svg.finish()
+    legend(&mut svg, [right, below + HEAD], regions)?;
+    svg.end()?;
+    Ok(text)
 }
 
 /// A table of the picture.
 struct Table {
     /// Its upper left corner.
-    corner: Point,
+    corner: Place,
 }
 
 impl Table {
     /// Where a point of the table is in the picture.
-    fn place(&self, [x, y]: [f64; 2]) -> Point {
+    fn place(&self, [x, y]: [f64; 2]) -> Place {
         let [left, top] = self.corner;
         [left + x * SCALE, top + (TABLE_HEIGHT - y) * SCALE]
     }
 
-    fn draw(&self, svg: &mut Svg, panel: &Panel<'_>) {
+    fn draw(&self, svg: &mut Svg<'_>, panel: &Panel<'_>) -> Result<(), Error> {
         let size = |height| [TABLE_WIDTH * SCALE, height * SCALE];
-        svg.rectangle(self.place([0.0, ZONE_HEIGHT]), size(ZONE_HEIGHT), "zone");
-        svg.rectangle(self.corner, size(TABLE_HEIGHT), "table");
+        svg.rectangle(self.place([0.0, ZONE_HEIGHT]), size(ZONE_HEIGHT), "zone")?;
+        svg.rectangle(self.corner, size(TABLE_HEIGHT), "table")?;
         let world = World::of(&panel.state).expect("a state of the environment");
         let [x, y, theta, _] = *world.stick;
         let stick = Rectangle::new([x, y], [STICK_WIDTH, STICK_HEIGHT], theta);
-        self.band(svg, &stick, [0.0, 1.0], "infeasible");
+        self.band(svg, &stick, [0.0, 1.0], "infeasible")?;
         for (intervals, class) in [(&panel.pick, "partly"), (&panel.feasible, "feasible")] {
             for interval in intervals {
-                self.band(svg, &stick, *interval, class);
+                self.band(svg, &stick, *interval, class)?;
             }
         }
         let [x, y, theta] = *world.holder;
         let holder = Rectangle::new([x, y], [HOLDER_WIDTH, HOLDER_HEIGHT], theta);
-        self.rectangle(svg, &holder, "holder");
-        self.rectangle(svg, &stick, "stick");
+        self.rectangle(svg, &holder, "holder")?;
+        self.rectangle(svg, &stick, "stick")?;
         let tip = part(&stick, [1.0 - TIP_WIDTH / STICK_WIDTH, 1.0], 0.0);
-        self.rectangle(svg, &tip, "tip");
+        self.rectangle(svg, &tip, "tip")?;
         for [x, y, _] in world.buttons {
-            svg.circle(self.place([*x, *y]), BUTTON_RADIUS * SCALE, "button");
+            svg.circle(self.place([*x, *y]), BUTTON_RADIUS * SCALE, "button")?;
         }
         let [x, y, _] = *world.robot;
-        svg.circle(self.place([x, y]), ROBOT_RADIUS * SCALE, "robot");
+        svg.circle(self.place([x, y]), ROBOT_RADIUS * SCALE, "robot")?;
         for mu in panel.feasible.iter().flatten() {
-            self.label(svg, &stick, *mu);
+            self.label(svg, &stick, *mu)?;
         }
+        Ok(())
     }
 
-    fn rectangle(&self, svg: &mut Svg, rectangle: &Rectangle<f64>, class: &str) {
+    fn rectangle(
+        &self,
+        svg: &mut Svg<'_>,
+        rectangle: &Rectangle<f64>,
+        class: &str,
+    ) -> Result<(), Error> {
         let corners = rectangle.vertices().map(|corner| self.place(corner));
-        svg.polygon(&corners, class);
+        svg.polygon(&corners, class)
     }
 
-    fn band(&self, svg: &mut Svg, stick: &Rectangle<f64>, from_to: [f64; 2], class: &str) {
-        self.rectangle(svg, &part(stick, from_to, BAND), class);
+    fn band(
+        &self,
+        svg: &mut Svg<'_>,
+        stick: &Rectangle<f64>,
+        from_to: [f64; 2],
+        class: &str,
+    ) -> Result<(), Error> {
+        self.rectangle(svg, &part(stick, from_to, BAND), class)
     }
 
     /// The number of a place along the stick, beside it.
-    fn label(&self, svg: &mut Svg, stick: &Rectangle<f64>, mu: f64) {
+    fn label(&self, svg: &mut Svg<'_>, stick: &Rectangle<f64>, mu: f64) -> Result<(), Error> {
         let beside = [mu * STICK_WIDTH, -BAND - 0.08];
         let [x, y] = self.place(stick.frame.apply(beside));
-        svg.words([x, y + 4.0], &format!("{mu:.2}"), "small");
+        svg.words([x, y + 4.0], &format!("{mu:.2}"), "small")
     }
 }
 
@@ -110,7 +125,7 @@ fn part(stick: &Rectangle<f64>, [from, to]: [f64; 2], wider: f64) -> Rectangle<f
     }
 }
 
-fn legend(svg: &mut Svg, [x, mut y]: Point, regions: &Regions) {
+fn legend(svg: &mut Svg<'_>, [x, mut y]: Place, regions: &Regions) -> Result<(), Error> {
     const LINE: f64 = 19.0;
     let bands = [
         ("feasible", "the learned region: grasps that work"),
@@ -122,13 +137,13 @@ fn legend(svg: &mut Svg, [x, mut y]: Point, regions: &Regions) {
         ("tip", "its tip"),
     ];
     for (class, words) in bands {
-        svg.rectangle([x, y], [18.0, 11.0], class);
-        svg.words([x + 28.0, y + 10.0], words, "");
+        svg.rectangle([x, y], [18.0, 11.0], class)?;
+        svg.words([x + 28.0, y + 10.0], words, "")?;
         y += LINE;
     }
     for class in ["robot", "button"] {
-        svg.circle([x + 9.0, y + 6.0], ROBOT_RADIUS * SCALE, class);
-        svg.words([x + 28.0, y + 10.0], class, "");
+        svg.circle([x + 9.0, y + 6.0], ROBOT_RADIUS * SCALE, class)?;
+        svg.words([x + 28.0, y + 10.0], class, "")?;
         y += LINE;
     }
     let learned: [(&str, &Learned); 2] = [
@@ -142,10 +157,11 @@ fn legend(svg: &mut Svg, [x, mut y]: Point, regions: &Regions) {
             learned.tries(),
             learned.tasks()
         );
-        svg.words([x, y], &title, "");
+        svg.words([x, y], &title, "")?;
         for constraint in learned.constraints() {
             y += 15.0;
-            svg.words([x, y], &constraint, "code");
+            svg.words([x, y], &constraint, "code")?;
         }
     }
+    Ok(())
 }

@@ -115,6 +115,11 @@ fn callbacks_that_are_left() {
 }
 
 #[test]
+fn pictures() {
+    passes("picture", &["picture.c"]);
+}
+
+#[test]
 fn wrong_regions() {
     passes("misuse_region", &["misuse_region.c"]);
 }

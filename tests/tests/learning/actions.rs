@@ -7,11 +7,10 @@ use critreg::learn::version_space::{Capacity, Config};
 use critreg::learn::{Outcome, Problem, learn_region};
 use critreg::random::{Generator, below, generator, uniform_in};
 use critreg::region::Region;
+use critreg_tests::actions::section;
 use critreg_tests::room::VersionSpaceRoom;
 use critreg_tests::text;
 use std::f64::consts::PI;
-
-const PAGE: &str = include_str!("../../../ACTIONS.md");
 
 /// What the library has room for by default.
 const FORMS: usize = 4096;
@@ -26,17 +25,6 @@ type Draw = fn(&mut Generator) -> Vec<f64>;
 
 /// Whether the action works in a scene, with a sample of its parameters.
 type Works = fn(&[f64], &[f64]) -> bool;
-
-/// The domain text and the region that the page has below a heading.
-fn section(heading: &str) -> [&'static str; 2] {
-    let mut sections = PAGE.split("\n## ").skip(1);
-    let found = sections.find_map(|section| section.strip_prefix(heading)?.strip_prefix('\n'));
-    let section = found.unwrap_or_else(|| panic!("the page has no section {heading}"));
-    // Every other piece is within a fence.
-    let fences: Vec<_> = section.split("```\n").skip(1).step_by(2).collect();
-    let fences = <[_; 2]>::try_from(fences);
-    fences.unwrap_or_else(|found| panic!("{heading}: a text and a region, not {found:#?}"))
-}
 
 /// The region that is learned from the text of the page with so many answers, and the one that
 /// stands there, agree with the truth in fresh scenes.

@@ -9,5 +9,6 @@ mod groups;
 mod intersection;
 mod large_numbers;
 mod margins;
+mod picture;
 mod region;
 mod vertex_angle;

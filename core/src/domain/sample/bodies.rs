@@ -10,10 +10,10 @@ use crate::geometry::{Body, Relation};
 use crate::real::Real;
 
 /// A body where it stands in a sample.
-struct Standing<R, A> {
+pub(super) struct Standing<R, A> {
     /// About its centre.
-    body: Body<R>,
-    centre: [A; 3],
+    pub(super) body: Body<R>,
+    pub(super) centre: [A; 3],
     /// By how much its sizes may be others.
     slack: R,
     /// By how much it may be turned further, as an angle.
@@ -156,7 +156,7 @@ impl<R: Real, A: Algebra<R>> Sample<'_, '_, R, A> {
     }
 
     /// The body of a point about its centre, and where that is.
-    fn body(&self, point: u8) -> Option<Standing<R, A>> {
+    pub(super) fn body(&self, point: u8) -> Option<Standing<R, A>> {
         let placed = self.base(point);
         let solid = self.solid(point);
         let half = R::from_f64(0.5);

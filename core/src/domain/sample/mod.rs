@@ -3,6 +3,7 @@
 mod bodies;
 mod body_pair;
 mod curves;
+mod places;
 mod sight;
 
 use super::algebra::{Algebra, Arithmetic, Measure};

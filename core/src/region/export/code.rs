@@ -1,12 +1,14 @@
-//! Straight-line C: constants, each computed once from those before it.
+//! Straight-line code: constants, each computed once from those before it.
 
+use super::phrases::Phrases;
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
 use crate::text::write_number;
 use core::fmt;
+use heapless::Vec;
 
-/// Where the name of what is written stands in pieces of C.
-const NAME: u8 = b'@';
+/// Most operands of a template.
+const MOST_OPERANDS: usize = 8;
 
 /// What an operation takes: a number that is known by now, or where it stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,40 +47,91 @@ impl Value {
     }
 }
 
-/// The derivative of a magnitude, of a value and its own derivative; at zero, as if that
-/// had moved the value.
-const MAGNITUDE: [&str; 6] = ["", " < 0 || (", " == 0 && ", " < 0) ? -", " : ", ""];
+/// What is put into a template.
+#[derive(Clone, Copy)]
+pub(super) enum Part<'t> {
+    Operand(Operand),
+    Whole(usize),
+    Number(f64),
+    Text(&'t str),
+}
 
-/// Writes C, and numbers what it computes.
+impl From<Operand> for Part<'_> {
+    fn from(operand: Operand) -> Self {
+        Part::Operand(operand)
+    }
+}
+
+impl From<usize> for Part<'_> {
+    fn from(number: usize) -> Self {
+        Part::Whole(number)
+    }
+}
+
+impl<'t> From<&'t str> for Part<'t> {
+    fn from(text: &'t str) -> Self {
+        Part::Text(text)
+    }
+}
+
+/// Writes code, and numbers what it computes.
 pub(super) struct Code<'o> {
     out: &'o mut dyn fmt::Write,
+    pub(super) phrases: &'static Phrases,
+    /// What names begin with; empty if they stand in a module.
     name: &'o str,
     next: u16,
 }
 
 impl<'o> Code<'o> {
-    pub(super) fn new(out: &'o mut dyn fmt::Write, name: &'o str) -> Self {
-        Code { out, name, next: 0 }
+    pub(super) fn new(
+        out: &'o mut dyn fmt::Write,
+        phrases: &'static Phrases,
+        name: &'o str,
+    ) -> Self {
+        Code {
+            out,
+            phrases,
+            name,
+            next: 0,
+        }
     }
 
-    /// Writes C, with the name of what is written in place of each `@`.
-    pub(super) fn text(&mut self, text: &str) -> Result<(), Error> {
-        let mut rest = text;
-        while let Some(place) = rest.bytes().position(|byte| byte == NAME) {
+    /// Fills in a template.
+    pub(super) fn say(&mut self, template: &str, parts: &[Part<'_>]) -> Result<(), Error> {
+        let mut rest = template;
+        while let Some(place) = rest.bytes().position(|byte| byte == b'@' || byte == b'$') {
             self.raw(rest.get(..place).unwrap_or_default())?;
-            self.raw(self.name)?;
-            rest = rest.get(place.saturating_add(1)..).unwrap_or_default();
+            let mut mark = rest.bytes().skip(place);
+            match (mark.next(), mark.next()) {
+                (Some(b'$'), Some(letter)) => {
+                    let part = parts.get(usize::from(letter.wrapping_sub(b'a')));
+                    let missing = Error::InvalidArgument("a template has no such part");
+                    self.part(*part.ok_or(missing)?)?;
+                }
+                _ if self.name.is_empty() => {}
+                _ => {
+                    self.raw(self.name)?;
+                    self.raw("_")?;
+                }
+            }
+            rest = rest.get(place.saturating_add(2)..).unwrap_or_default();
         }
         self.raw(rest)
+    }
+
+    fn part(&mut self, part: Part<'_>) -> Result<(), Error> {
+        match part {
+            Part::Operand(operand) => self.operand(operand),
+            Part::Whole(number) => write!(self.out, "{number}").map_err(full),
+            Part::Number(number) => write_number(self.out, number).map_err(full),
+            Part::Text(text) => self.raw(text),
+        }
     }
 
     /// Writes text as it is.
     pub(super) fn raw(&mut self, text: &str) -> Result<(), Error> {
         self.out.write_str(text).map_err(full)
-    }
-
-    pub(super) fn whole(&mut self, number: usize) -> Result<(), Error> {
-        write!(self.out, "{number}").map_err(full)
     }
 
     /// What is written by something else.
@@ -89,45 +142,52 @@ impl<'o> Code<'o> {
         write(self.out).map_err(full)
     }
 
-    pub(super) fn operand(&mut self, operand: Operand) -> Result<(), Error> {
+    fn operand(&mut self, operand: Operand) -> Result<(), Error> {
         match operand {
-            Operand::Zero => self.text("(@_real)0"),
-            Operand::One => self.text("(@_real)1"),
-            Operand::Slot(place) => self.place("instance[", place),
-            Operand::Theta(place) => self.place("theta[", place),
+            Operand::Zero => self.say(self.phrases.zero, &[]),
+            Operand::One => self.say(self.phrases.one, &[]),
+            Operand::Slot(place) => write!(self.out, "instance[{place}]").map_err(full),
+            Operand::Theta(place) => write!(self.out, "theta[{place}]").map_err(full),
             Operand::Temp(number) => write!(self.out, "t{number}").map_err(full),
         }
     }
 
-    fn place(&mut self, array: &str, place: u8) -> Result<(), Error> {
-        write!(self.out, "{array}{place}]").map_err(full)
-    }
-
     /// The next constant of the code.
     fn fresh(&mut self) -> Result<Operand, Error> {
-        let full = Error::CapacityExceeded("constants of a region's C");
+        let full = Error::CapacityExceeded("constants of a region's code");
         let number = self.next;
         self.next = number.checked_add(1).ok_or(full)?;
         Ok(Operand::Temp(number))
     }
 
-    /// A constant of the code: pieces of C with operands between them.
+    /// A constant of the code, by a template.
     pub(super) fn constant(
         &mut self,
-        pieces: &[&str],
+        template: &str,
+        operands: &[Operand],
+    ) -> Result<Operand, Error> {
+        self.bound(self.phrases.real, template, operands)
+    }
+
+    /// A constant that says yes or no.
+    pub(super) fn flag(&mut self, template: &str, operands: &[Operand]) -> Result<Operand, Error> {
+        self.bound(self.phrases.flag, template, operands)
+    }
+
+    fn bound(
+        &mut self,
+        begin: &str,
+        template: &str,
         operands: &[Operand],
     ) -> Result<Operand, Error> {
         let constant = self.fresh()?;
-        self.text("    @_LET ")?;
-        self.operand(constant)?;
-        self.raw(" = ")?;
-        let mut operands = operands.iter();
-        for piece in pieces {
-            self.text(piece)?;
-            if let Some(operand) = operands.next() {
-                self.operand(*operand)?;
-            }
+        self.say(begin, &[constant.into()])?;
+        let mut parts: Vec<Part<'_>, MOST_OPERANDS> = Vec::new();
+        for operand in operands {
+            let full = Error::CapacityExceeded("operands of a constant");
+            parts.push(Part::Operand(*operand)).map_err(|_| full)?;
         }
+        self.say(template, &parts)?;
         self.raw(";\n")?;
         Ok(constant)
     }
@@ -141,10 +201,8 @@ impl<'o> Code<'o> {
             return Ok(Operand::One);
         }
         let constant = self.fresh()?;
-        self.text("    @_LET ")?;
-        self.operand(constant)?;
-        self.text(" = (@_real)")?;
-        write_number(self.out, number).map_err(full)?;
+        self.say(self.phrases.real, &[constant.into()])?;
+        self.say(self.phrases.number, &[Part::Number(number)])?;
         self.raw(";\n")?;
         Ok(constant)
     }
@@ -152,15 +210,15 @@ impl<'o> Code<'o> {
     pub(super) fn sum(&mut self, a: Operand, b: Operand) -> Result<Operand, Error> {
         match (a, b) {
             (Operand::Zero, other) | (other, Operand::Zero) => Ok(other),
-            _ => self.constant(&["", " + "], &[a, b]),
+            _ => self.constant("$a + $b", &[a, b]),
         }
     }
 
     pub(super) fn difference(&mut self, a: Operand, b: Operand) -> Result<Operand, Error> {
         match (a, b) {
             (_, Operand::Zero) => Ok(a),
-            (Operand::Zero, _) => self.constant(&["-"], &[b]),
-            _ => self.constant(&["", " - "], &[a, b]),
+            (Operand::Zero, _) => self.constant("-$a", &[b]),
+            _ => self.constant("$a - $b", &[a, b]),
         }
     }
 
@@ -168,15 +226,14 @@ impl<'o> Code<'o> {
         match (a, b) {
             (Operand::Zero, _) | (_, Operand::Zero) => Ok(Operand::Zero),
             (Operand::One, other) | (other, Operand::One) => Ok(other),
-            _ => self.constant(&["", " * "], &[a, b]),
+            _ => self.constant("$a * $b", &[a, b]),
         }
     }
 
     pub(super) fn quotient(&mut self, a: Operand, b: Operand) -> Result<Operand, Error> {
-        match (a, b) {
-            (Operand::Zero, _) => Ok(Operand::Zero),
-            (_, Operand::One) => Ok(a),
-            _ => self.constant(&["", " / "], &[a, b]),
+        match b {
+            Operand::One => Ok(a),
+            _ => self.constant("$a / $b", &[a, b]),
         }
     }
 
@@ -219,7 +276,10 @@ impl<'o> Code<'o> {
         for (slope, (of_a, of_b)) in result.slopes.iter_mut().zip(slopes) {
             let second = self.product(result.value, of_b)?;
             let change = self.difference(of_a, second)?;
-            *slope = self.quotient(change, b.value)?;
+            *slope = match change {
+                Operand::Zero => Operand::Zero,
+                _ => self.quotient(change, b.value)?,
+            };
         }
         Ok(result)
     }
@@ -234,17 +294,8 @@ impl<'o> Code<'o> {
             return Ok([Value::ZERO, Value::constant(Operand::One)]);
         }
         let (first, second) = (self.fresh()?, self.fresh()?);
-        self.text("    @_real ")?;
-        self.operand(first)?;
-        self.raw(", ")?;
-        self.operand(second)?;
-        self.text(";\n    @_sin_cos(")?;
-        self.operand(angle.value)?;
-        for place in [first, second] {
-            self.raw(", &")?;
-            self.operand(place)?;
-        }
-        self.raw(");\n")?;
+        let parts = [first.into(), second.into(), angle.value.into()];
+        self.say(self.phrases.sin_cos, &parts)?;
         let (mut sin, mut cos) = (Value::constant(first), Value::constant(second));
         let slopes = sin.slopes.iter_mut().zip(&mut cos.slopes);
         for ((of_sin, of_cos), slope) in slopes.zip(angle.slopes) {
@@ -260,10 +311,10 @@ impl<'o> Code<'o> {
         let is_zero = |v: &Value| v.value == Operand::Zero && !v.varies();
         let [x, y, z] = vector;
         if is_zero(&y) && is_zero(&z) {
-            let mut length = Value::constant(self.constant(&["@_abs(", ")"], &[x.value])?);
+            let mut length = Value::constant(self.constant(self.phrases.abs, &[x.value])?);
             for (slope, own) in length.slopes.iter_mut().zip(x.slopes) {
                 if own != Operand::Zero {
-                    *slope = self.constant(&MAGNITUDE, &[x.value, x.value, own, own, own])?;
+                    *slope = self.constant(self.phrases.magnitude_slope, &[x.value, own])?;
                 }
             }
             return Ok(length);
@@ -273,7 +324,7 @@ impl<'o> Code<'o> {
             let own = self.times(own, own)?;
             square = self.plus(square, own)?;
         }
-        let mut length = Value::constant(self.constant(&["@_sqrt(", ")"], &[square.value])?);
+        let mut length = Value::constant(self.constant(self.phrases.sqrt, &[square.value])?);
         let parts = x.slopes.into_iter().zip(y.slopes.into_iter().zip(z.slopes));
         let slopes = length.slopes.iter_mut().zip(square.slopes);
         for ((slope, own), (of_x, (of_y, of_z))) in slopes.zip(parts) {
@@ -281,37 +332,14 @@ impl<'o> Code<'o> {
                 continue;
             }
             // A vector along the x axis is as long as that coordinate is far from zero.
-            let along = self.constant(&MAGNITUDE, &[x.value, x.value, of_x, of_x, of_x])?;
-            *slope = self.constant(
-                &[
-                    "",
-                    " == 0 && ",
-                    " == 0 && ",
-                    " == 0 && ",
-                    " == 0 ? ",
-                    " : ",
-                    " == 0 ? 0 : ",
-                    " / (",
-                    " + ",
-                    ")",
-                ],
-                &[
-                    y.value,
-                    of_y,
-                    z.value,
-                    of_z,
-                    along,
-                    length.value,
-                    own,
-                    length.value,
-                    length.value,
-                ],
-            )?;
+            let along = self.constant(self.phrases.magnitude_slope, &[x.value, of_x])?;
+            let operands = [y.value, of_y, z.value, of_z, along, length.value, own];
+            *slope = self.constant(self.phrases.length_slope, &operands)?;
         }
         Ok(length)
     }
 }
 
 fn full(_: fmt::Error) -> Error {
-    Error::CapacityExceeded("the text of a region's C")
+    Error::CapacityExceeded("the text of a region's code")
 }

@@ -1,26 +1,31 @@
-//! A region as C that needs no library: straight-line code, without tables or parsers.
+//! A region as code that needs no library: straight lines of C or Rust, without tables or
+//! parsers.
 //!
 //! | file | content |
 //! |---|---|
-//! | `code.rs` | constants of C, each computed from those before it, and their derivatives |
+//! | `phrases.rs`, `c/`, `rust/` | what the languages say differently, and what is the same for every region |
+//! | `code.rs` | constants, each computed from those before it, and their derivatives |
 //! | `places.rs` | where points are |
 //! | `terms.rs` | what terms are |
-//! | `begin.c`, `sine.c`, `cut.c`, `sample.c`, `draw.c` | what is the same for every region |
 //!
 //! What is computed is what a scene and its samples compute, in the same order of
 //! operations, so that the answers are the same to the last bit.
 
 mod code;
+mod phrases;
 mod places;
 mod terms;
 
 use super::lifted::Region;
 use crate::domain::{Domain, MAX_PARAMETERS, Node};
 use crate::error::Error;
-use crate::grammar::{Comparison, Constraint, MAX_FORMULA_STEPS, Step};
-use code::{Code, Operand, Value};
+use crate::grammar::{Constraint, MAX_FORMULA_STEPS, Step};
+use crate::real::Real;
+use crate::text::TextBuffer;
+use code::{Code, Operand, Part, Value};
 use core::fmt;
 use heapless::Vec;
+use phrases::Phrases;
 use places::Places;
 use terms::Term;
 
@@ -47,31 +52,70 @@ impl Region {
         name: &str,
         out: &mut dyn fmt::Write,
     ) -> Result<(), Error> {
-        if domain.fingerprint() != self.fingerprint {
-            return Err(Error::Mismatch("the region belongs to another domain text"));
-        }
         if !is_name(name) {
             return Err(Error::InvalidArgument(
                 "a name in C has up to 64 letters, digits and _, and begins with no digit",
             ));
         }
+        self.write_code(domain, &phrases::C, name, out)
+    }
+
+    /// Writes the region as a module of Rust that needs the crate `libm` only, and neither a
+    /// heap nor std: `contains`, `margins`, `intervals` and `sample`, as [`Region::write_c`].
+    /// It computes with `f64` or `f32`.
+    ///
+    /// ```
+    /// use critreg::{domain::Domain, region::Region};
+    /// let domain = Domain::parse("object wall { x: length } parameter reach in [0, 4]: length")?;
+    /// let region = Region::parse(&domain, "reach <= wall.x")?;
+    /// let mut module = String::new();
+    /// region.write_rust::<f32>(&domain, &mut module)?;
+    /// assert!(module.contains("pub type Real = f32;"));
+    /// # Ok::<(), critreg::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Region::write_c`], apart from names.
+    pub fn write_rust<R: Real>(
+        &self,
+        domain: &Domain<'_>,
+        out: &mut dyn fmt::Write,
+    ) -> Result<(), Error> {
+        let phrases = match R::BITS {
+            64 => &phrases::RUST_F64,
+            _ => &phrases::RUST_F32,
+        };
+        self.write_code(domain, phrases, "", out)
+    }
+
+    fn write_code(
+        &self,
+        domain: &Domain<'_>,
+        phrases: &'static Phrases,
+        name: &str,
+        out: &mut dyn fmt::Write,
+    ) -> Result<(), Error> {
+        if domain.fingerprint() != self.fingerprint {
+            return Err(Error::Mismatch("the region belongs to another domain text"));
+        }
         let export = Export {
             region: self,
             domain,
+            phrases,
             name,
         };
         // What has no closed form is only found out on the way.
-        let is_cut = domain.parameters().len() == 1 && export.cuts(&mut Nowhere).is_ok();
+        let mut nowhere = TextBuffer::new(&mut []);
+        let is_cut = domain.parameters().len() == 1 && export.cuts(&mut nowhere).is_ok();
         export.begin(out, is_cut)?;
         export.holds(out)?;
         export.contains(out)?;
         export.margins(out)?;
         if is_cut {
-            Code::new(out, name).text(include_str!("cut.c"))?;
             export.cuts(out)?;
-            Code::new(out, name).text(include_str!("draw.c"))?;
+            export.code(out).say(phrases.drawing, &[])?;
         }
-        Code::new(out, name).raw("\n#endif\n")
+        export.code(out).say(phrases.end, &[])
     }
 }
 
@@ -79,50 +123,54 @@ impl Region {
 struct Export<'r> {
     region: &'r Region,
     domain: &'r Domain<'r>,
+    phrases: &'static Phrases,
     name: &'r str,
 }
 
-/// The beginning of a function.
-const ARGUMENTS: &str = "(const @_real *instance, const @_real *theta";
-const UNUSED: &str = "    (void)instance, (void)theta;\n";
-
 impl Export<'_> {
+    fn code<'o>(&'o self, out: &'o mut dyn fmt::Write) -> Code<'o> {
+        Code::new(out, self.phrases, self.name)
+    }
+
     fn begin(&self, out: &mut dyn fmt::Write, is_cut: bool) -> Result<(), Error> {
-        let mut code = Code::new(out, self.name);
-        code.raw("/* ")?;
+        let mut code = self.code(out);
+        let [first, line, end] = self.phrases.comment;
+        code.raw(first)?;
         code.written(|out| self.region.write(self.domain, out))?;
-        code.text("\n *\n * Made by critreg. @_contains: whether parameters are inside.\n")?;
-        code.text(" * @_margins: at most 0 where a constraint holds, and derivatives.\n")?;
-        if is_cut {
-            code.text(" * @_intervals, @_sample: all that is inside, and a draw from it.\n")?;
-        } else {
-            code.text(
-                " * There is no @_intervals and no @_sample: more than one parameter, or a\n",
-            )?;
-            code.raw(" * constraint without a closed form that is written as C.\n")?;
+        let always = [
+            "",
+            " Made by critreg. @_contains: whether parameters are inside.",
+            " @_margins: at most 0 where a constraint holds, and derivatives.",
+        ];
+        let drawn = [" @_intervals, @_sample: all that is inside, and a draw from it."];
+        let not_drawn = [
+            " There is no @_intervals and no @_sample: more than one parameter, or a",
+            " constraint without a closed form that is written as code.",
+        ];
+        let more: &[&str] = if is_cut { &drawn } else { &not_drawn };
+        let order = ["", " An instance is, in this order:"];
+        for words in always.iter().chain(more).chain(&order) {
+            code.raw("\n")?;
+            code.raw(line)?;
+            code.say(words, &[])?;
         }
-        code.raw(" *\n * An instance is, in this order:")?;
         for (object, attribute) in self.domain.slots() {
-            code.raw(" ")?;
-            code.raw(object.name)?;
-            code.raw(".")?;
-            code.raw(attribute.name)?;
+            code.say(" $a.$b", &[object.name.into(), attribute.name.into()])?;
         }
-        code.raw("\n */\n")?;
-        code.text(include_str!("begin.c"))?;
+        code.raw("\n")?;
+        code.raw(end)?;
+        code.say(self.phrases.begin, &[])?;
         let constraints = self.constraints().len();
         let counts = [
-            ("CONSTRAINTS", constraints.max(1)),
+            ("INSTANCE_LEN", self.domain.instance_len()),
+            ("PARAMETERS", self.domain.parameters().len()),
+            ("CONSTRAINTS", constraints),
             ("MAX_INTERVALS", 2 * constraints + 2),
         ];
-        for (what, count) in counts {
-            code.text("#define @_")?;
-            code.raw(what)?;
-            code.raw(" ")?;
-            code.whole(count)?;
-            code.raw("\n")?;
+        for (name, count) in counts {
+            code.say(self.phrases.count, &[name.into(), count.into()])?;
         }
-        code.text(include_str!("sine.c"))
+        code.say(self.phrases.sines, &[])
     }
 
     fn constraints(&self) -> &[Constraint] {
@@ -135,109 +183,56 @@ impl Export<'_> {
 
     /// What follows from which constraints hold, a bit each.
     fn holds(&self, out: &mut dyn fmt::Write) -> Result<(), Error> {
-        let mut code = Code::new(out, self.name);
-        code.raw("\n/* Whether the region has what satisfies these constraints, a bit each. */\n")?;
-        code.text("static inline int @_holds(unsigned long constraints)\n{\n")?;
-        code.raw("    (void)constraints;\n")?;
+        let (mut code, phrases) = (self.code(out), self.phrases);
+        code.say(phrases.holds_begin, &[])?;
         let mut stack: Vec<usize, MAX_FORMULA_STEPS> = Vec::new();
         let missing = Error::InvalidArgument("the steps of a formula do not fit together");
         for (number, step) in self.region.formula().steps().iter().enumerate() {
-            let mut pop = || stack.pop().ok_or(missing);
-            let (operator, operands) = match step {
-                Step::Constraint(_) | Step::True => ("", [None, None]),
-                Step::Not => ("!", [None, Some(pop()?)]),
-                Step::And => (" & ", [Some(pop()?), Some(pop()?)]),
-                Step::Or => (" | ", [Some(pop()?), Some(pop()?)]),
-            };
-            code.raw("    const int b")?;
-            code.whole(number)?;
-            code.raw(" = ")?;
+            let mut pop = || stack.pop().map(Part::Whole).ok_or(missing);
+            code.say(phrases.step, &[number.into()])?;
             match step {
                 Step::Constraint(index) => {
-                    code.raw("(int)(constraints >> ")?;
-                    code.whole(usize::from(*index))?;
-                    code.raw(" & 1)")?;
+                    code.say(phrases.bit, &[usize::from(*index).into()])?;
                 }
-                Step::True => code.raw("1")?,
-                Step::Not | Step::And | Step::Or => {
-                    let [right, left] = operands;
-                    if let Some(own) = right {
-                        code.raw("b")?;
-                        code.whole(own)?;
-                    }
-                    code.raw(operator)?;
-                    if let Some(own) = left {
-                        code.raw("b")?;
-                        code.whole(own)?;
-                    }
-                }
+                Step::True => code.raw(phrases.truth)?,
+                Step::Not => code.say("!b$a", &[pop()?])?,
+                Step::And => code.say("b$a & b$b", &[pop()?, pop()?])?,
+                Step::Or => code.say("b$a | b$b", &[pop()?, pop()?])?,
             }
             code.raw(";\n")?;
             stack.push(number).map_err(|_| missing)?;
         }
-        code.raw("    return ")?;
+        let [begin, end] = phrases.holds_end;
+        code.raw(begin)?;
         match stack.pop() {
-            Some(last) => {
-                code.raw("b")?;
-                code.whole(last)?;
-            }
-            None => code.raw("1")?,
+            Some(last) => code.say("b$a", &[last.into()])?,
+            None => code.raw(phrases.truth)?,
         }
-        code.raw(";\n}\n")
+        code.raw(end)
     }
 
     fn contains(&self, out: &mut dyn fmt::Write) -> Result<(), Error> {
-        let mut code = Code::new(out, self.name);
-        code.raw("\n/* Whether parameters are inside. */\n")?;
-        code.text("static inline int @_contains")?;
-        code.text(ARGUMENTS)?;
-        code.raw(")\n{\n    unsigned long holds = 0;\n    int inside = 1;\n")?;
-        code.raw(UNUSED)?;
+        let (mut code, phrases) = (self.code(out), self.phrases);
+        code.say(phrases.contains_begin, &[])?;
         for (index, parameter) in (0u8..).zip(self.domain.parameters()) {
-            let ends = [code.number(parameter.low)?, code.number(parameter.high)?];
-            let [low, high] = ends;
-            let theta = Operand::Theta(index);
-            code.raw("    inside &= ")?;
-            code.operand(low)?;
-            code.raw(" <= ")?;
-            code.operand(theta)?;
-            code.raw(" && ")?;
-            code.operand(theta)?;
-            code.raw(" <= ")?;
-            code.operand(high)?;
-            code.raw(";\n")?;
+            let [low, high] = [code.number(parameter.low)?, code.number(parameter.high)?];
+            let parts = [low, Operand::Theta(index), high].map(Part::Operand);
+            code.say("    inside &= $a <= $b && $b <= $c;\n", &parts)?;
         }
         let mut places = Places::new(self.domain, code, self.moving(false), false);
         for (index, constraint) in self.constraints().iter().enumerate() {
             let left = places.term(self.nodes(), constraint.lhs)?.line.value;
             let right = places.term(self.nodes(), constraint.rhs)?.line.value;
-            let code = &mut places.code;
-            code.raw("    holds |= (unsigned long)(")?;
-            code.operand(left)?;
-            code.raw(" ")?;
-            code.raw(constraint.comparison.symbol())?;
-            code.raw(" ")?;
-            code.operand(right)?;
-            code.raw(") << ")?;
-            code.whole(index)?;
-            code.raw(";\n")?;
+            let symbol = constraint.comparison.symbol();
+            let parts = [left.into(), symbol.into(), right.into(), index.into()];
+            places.code.say(phrases.met, &parts)?;
         }
-        places
-            .code
-            .text("    return inside && @_holds(holds);\n}\n")
+        places.code.say(phrases.contains_end, &[])
     }
 
     fn margins(&self, out: &mut dyn fmt::Write) -> Result<(), Error> {
-        let mut code = Code::new(out, self.name);
-        code.raw(
-            "\n/* How far each constraint is from its bound, at most 0 where it holds, and its\n",
-        )?;
-        code.raw(" * derivatives by the parameters, those of the first constraint first. */\n")?;
-        code.text("static inline void @_margins")?;
-        code.text(ARGUMENTS)?;
-        code.text(",\n    @_real *values, @_real *gradients)\n{\n")?;
-        code.raw(UNUSED)?;
-        code.raw("    (void)values, (void)gradients;\n")?;
+        let (mut code, phrases) = (self.code(out), self.phrases);
+        code.say(phrases.margins_begin, &[])?;
         let count = self.domain.parameters().len();
         let mut places = Places::new(self.domain, code, self.moving(true), false);
         for (index, constraint) in self.constraints().iter().enumerate() {
@@ -249,40 +244,28 @@ impl Export<'_> {
             };
             let margin = places.code.minus(less, more)?;
             let code = &mut places.code;
-            code.raw("    values[")?;
-            code.whole(index)?;
-            code.raw("] = ")?;
+            code.say("    values[$a] = ", &[index.into()])?;
             // Two extremes over nothing are equal, though their difference is no number.
-            if margin.value == Operand::Zero {
-                code.operand(margin.value)?;
-            } else {
-                for part in [" == ", " ? 0 : "] {
-                    let own = if part == " == " { less } else { more };
-                    code.operand(own.value)?;
-                    code.raw(part)?;
-                }
-                code.operand(margin.value)?;
-            }
+            let template = match margin.value {
+                Operand::Zero => "$c",
+                _ => phrases.margin,
+            };
+            let parts = [less.value, more.value, margin.value].map(Part::Operand);
+            code.say(template, &parts)?;
             code.raw(";\n")?;
             for (parameter, slope) in margin.slopes.iter().enumerate().take(count) {
-                code.raw("    gradients[")?;
-                code.whole(index * count + parameter)?;
-                code.raw("] = ")?;
-                if *slope != Operand::Zero && self.has_extremes() {
-                    // What is infinite does not change.
-                    code.operand(margin.value)?;
-                    code.raw(" - ")?;
-                    code.operand(margin.value)?;
-                    code.raw(" == 0 ? ")?;
-                    code.operand(*slope)?;
-                    code.raw(" : 0;\n")?;
-                } else {
-                    code.operand(*slope)?;
-                    code.raw(";\n")?;
-                }
+                let place = [index, parameter, index * count + parameter];
+                code.say(phrases.gradient, &place.map(Part::Whole))?;
+                // What is infinite does not change.
+                let template = match *slope != Operand::Zero && self.has_extremes() {
+                    true => phrases.slope,
+                    false => "$b",
+                };
+                code.say(template, &[margin.value, *slope].map(Part::Operand))?;
+                code.raw(";\n")?;
             }
         }
-        places.code.raw("}\n")
+        places.code.say(phrases.margins_end, &[])
     }
 
     fn has_extremes(&self) -> bool {
@@ -304,8 +287,8 @@ impl Export<'_> {
 
     /// Cuts the line of the only parameter at the roots of all constraints.
     fn cuts(&self, out: &mut dyn fmt::Write) -> Result<(), Error> {
-        let mut code = Code::new(out, self.name);
-        code.text(include_str!("sample.c"))?;
+        let (mut code, phrases) = (self.code(out), self.phrases);
+        code.say(phrases.cutting, &[])?;
         let mut theta = [Value::ZERO; MAX_PARAMETERS];
         if let [first, ..] = &mut theta
             && let [slope, ..] = &mut first.slopes
@@ -315,59 +298,45 @@ impl Export<'_> {
         let [parameter] = self.domain.parameters() else {
             return Err(places::NOT_STRAIGHT);
         };
-        let ends = [code.number(parameter.low)?, code.number(parameter.high)?];
+        let [low, high] = [code.number(parameter.low)?, code.number(parameter.high)?];
         let mut places = Places::new(self.domain, code, theta, true);
         for (index, constraint) in self.constraints().iter().enumerate() {
             let left = places.term(self.nodes(), constraint.lhs)?;
             let right = places.term(self.nodes(), constraint.rhs)?;
-            let curve = places.difference(left, right)?;
-            write_cut(&mut places.code, index, constraint.comparison, &curve, ends)?;
+            let [a, b, c, d, e, f, g, h, i] = numbers(&places.difference(left, right)?);
+            let (owner, sign) = (index.into(), (constraint.comparison as usize).into());
+            let parts = [
+                a,
+                b,
+                c,
+                d,
+                e,
+                f,
+                g,
+                h,
+                i,
+                owner,
+                sign,
+                low.into(),
+                high.into(),
+            ];
+            places.code.say(phrases.cut, &parts)?;
         }
-        let [low, high] = ends;
-        let code = &mut places.code;
-        code.text("    return @_join(&cut, ")?;
-        code.operand(low)?;
-        code.raw(", ")?;
-        code.operand(high)?;
-        code.raw(", ends);\n}\n")
+        let parts = [low, high].map(Part::Operand);
+        places.code.say(phrases.cutting_end, &parts)
     }
 }
 
-/// Cuts the line at the roots of one constraint.
-fn write_cut(
-    code: &mut Code<'_>,
-    index: usize,
-    comparison: Comparison,
-    curve: &Term,
-    ends: [Operand; 2],
-) -> Result<(), Error> {
-    let slope = |value: &Value| {
+/// What a curve is made of: a line, a factor, and a vector whose parts are lines.
+fn numbers(curve: &Term) -> [Part<'static>; 9] {
+    let of = |value: &Value| {
         let [slope, ..] = value.slopes;
-        slope
+        [value.value, slope]
     };
     let (factor, vector) = curve.bend.unwrap_or((Operand::Zero, [Value::ZERO; 3]));
-    let line = [curve.line.value, slope(&curve.line), factor];
-    code.text("    {\n        @_real c[9] = {")?;
-    for operand in line {
-        code.operand(operand)?;
-        code.raw(", ")?;
-    }
-    for value in vector {
-        code.operand(value.value)?;
-        code.raw(", ")?;
-        code.operand(slope(&value))?;
-        code.raw(", ")?;
-    }
-    code.text("};\n        @_cut_by(&cut, ")?;
-    code.whole(index)?;
-    code.raw(", ")?;
-    code.whole(comparison as usize)?;
-    code.raw(", c")?;
-    for end in ends {
-        code.raw(", ")?;
-        code.operand(end)?;
-    }
-    code.raw(");\n    }\n")
+    let [[c, d], [e, f], [g, h]] = vector.map(|own| of(&own));
+    let [a, b] = of(&curve.line);
+    [a, b, factor, c, d, e, f, g, h].map(Part::Operand)
 }
 
 fn is_name(name: &str) -> bool {
@@ -378,13 +347,4 @@ fn is_name(name: &str) -> bool {
         && name
             .bytes()
             .all(|byte| letter(byte) || byte.is_ascii_digit())
-}
-
-/// Takes any text.
-struct Nowhere;
-
-impl fmt::Write for Nowhere {
-    fn write_str(&mut self, _: &str) -> fmt::Result {
-        Ok(())
-    }
 }

@@ -1,4 +1,4 @@
-//! Where points are, as C: in the order of operations of a scene and its samples.
+//! Where points are, as code: in the order of operations of a scene and its samples.
 
 use super::code::{Code, Operand, Value};
 use crate::domain::{Base, Domain, MAX_PARAMETERS, Node, NodeId, Point, Shape};
@@ -67,7 +67,7 @@ pub(super) struct Places<'d, 'o> {
 
 /// The error of what has no closed form along a line of parameters.
 pub(super) const NOT_STRAIGHT: Error =
-    Error::InvalidArgument("a constraint has no closed form that is written as C");
+    Error::InvalidArgument("a constraint has no closed form that is written as code");
 
 impl<'d, 'o> Places<'d, 'o> {
     pub(super) fn new(

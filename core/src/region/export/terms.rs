@@ -1,4 +1,4 @@
-//! Terms of constraints, as C.
+//! Terms of constraints, as code.
 
 use super::code::{Operand, Value};
 use super::places::{NOT_STRAIGHT, Places, dot};
@@ -126,10 +126,10 @@ impl Places<'_, '_> {
                 Ok(self.angle(a, b)?.into())
             }
             Quantity::FoldedAngle(..) => Err(Error::InvalidArgument(
-                "an angle with a symmetry cannot be written as C; use the library for this region",
+                "an angle with a symmetry cannot be written as code; use the library for this region",
             )),
             Quantity::Relation(..) | Quantity::Sight(..) => Err(Error::InvalidArgument(
-                "a relation between bodies cannot be written as C; use the library for this region",
+                "a relation between bodies cannot be written as code; use the library for this region",
             )),
         }
     }
@@ -185,7 +185,7 @@ impl Places<'_, '_> {
         }
         let code = &mut self.code;
         let operands = [y.value, x.value];
-        let mut angle = Value::constant(code.constant(&["@_atan2(", ", ", ")"], &operands)?);
+        let mut angle = Value::constant(code.constant(code.phrases.atan2, &operands)?);
         if !x.varies() && !y.varies() {
             return Ok(angle);
         }
@@ -199,8 +199,7 @@ impl Places<'_, '_> {
             let (first, second) = (code.product(x.value, of_y)?, code.product(y.value, of_x)?);
             let turned = code.difference(first, second)?;
             if turned != Operand::Zero {
-                *slope =
-                    code.constant(&["", " == 0 ? 0 : ", " / ", ""], &[square, turned, square])?;
+                *slope = code.constant(code.phrases.ratio, &[square, turned])?;
             }
         }
         Ok(angle)
@@ -208,11 +207,12 @@ impl Places<'_, '_> {
 
     /// The extreme over the members of a group that an instance has.
     fn extreme(&mut self, extreme: Extreme, quantity: Quantity) -> Result<Value, Error> {
-        let (start, sign) = match extreme {
-            Extreme::Least => ("(@_real)INFINITY", " < "),
-            Extreme::Greatest => ("-(@_real)INFINITY", " > "),
+        let [above, below] = self.code.phrases.infinite;
+        let (start, counts) = match extreme {
+            Extreme::Least => (above, "$a == $a && $b < $c"),
+            Extreme::Greatest => (below, "$a == $a && $b > $c"),
         };
-        let mut best = Value::constant(self.code.constant(&[start], &[])?);
+        let mut best = Value::constant(self.code.constant(start, &[])?);
         let domain = self.domain;
         for (member, own) in domain.of_members(quantity) {
             let Term { line, bend: None } = self.quantity(own)? else {
@@ -223,15 +223,11 @@ impl Places<'_, '_> {
             }
             // The numbers of a member that is absent are not equal to themselves.
             let first = Operand::Slot(member.first_slot);
-            let counts = self.code.constant(
-                &["", " == ", " && ", sign, ""],
-                &[first, first, line.value, best.value],
-            )?;
+            let counts = self.code.flag(counts, &[first, line.value, best.value])?;
+            let choice = self.code.phrases.choose;
             let mut choose = |own: Operand, other: Operand| match own == other {
                 true => Ok(own),
-                false => self
-                    .code
-                    .constant(&["", " != 0 ? ", " : ", ""], &[counts, own, other]),
+                false => self.code.constant(choice, &[counts, own, other]),
             };
             let mut chosen = Value::constant(choose(line.value, best.value)?);
             let slopes = line.slopes.into_iter().zip(best.slopes);

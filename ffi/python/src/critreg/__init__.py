@@ -36,7 +36,7 @@ from .planner import (
     PlannerOptions,
     Step,
 )
-from .region import Constraint, Evidence, Quality, Region, Rng, are_empty, sample
+from .region import Constraint, Evidence, Picture, Quality, Region, Rng, are_empty, sample
 from .status import EmptyRegion, Error, NoPlan, NoRegion, NoSample, Status
 
 __version__: str = _library.library.critreg_version().decode()
@@ -65,6 +65,7 @@ __all__ = [
     "NoRegion",
     "NoSample",
     "Options",
+    "Picture",
     "Planner",
     "PlannerOptions",
     "Quality",

@@ -25,7 +25,7 @@ from ._library import (
 from ._numbers import matrix, outcome_of, vector
 from ._structs import DEFAULT_INSTANCES, MAX_QUESTIONS, Config, Report
 from .domain import Domain, as_domain
-from .region import Quality, Region
+from .region import Picture, Quality, Region
 from .status import NoRegion, Status
 
 if TYPE_CHECKING:
@@ -374,6 +374,20 @@ class Learner:
         with self._lock:
             check(library.critreg_learner_report(self._handle, byref(report)))
         return report
+
+    def picture(self, instance: int) -> Picture:
+        """What is learned and was told so far of an instance, as a picture."""
+        index = checked_id(instance, "instance")
+        with self._lock:
+            svg = filled(
+                library.critreg_learner_to_svg,
+                self._handle,
+                self._instances,
+                self._count,
+                index,
+                checked=self._checked,
+            )
+        return Picture(svg.rstrip(b"\0").decode())
 
     # Stopping and going on
 

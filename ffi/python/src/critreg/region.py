@@ -102,6 +102,13 @@ def _constraint(handle: c_void_p, index: int) -> Constraint:
     )
 
 
+class Picture(str):
+    """An SVG picture: its text, which a notebook shows as what it is."""
+
+    def _repr_svg_(self) -> str:
+        return str(self)
+
+
 class Region:
     """The parameters with which an action is expected to work, as constraints.
 
@@ -194,6 +201,16 @@ class Region:
     def to_c(self, name: str) -> str:
         """The region as C that needs no library, in functions whose names begin with this."""
         return text_of(library.critreg_region_to_c, self._handle, encoded(name))
+
+    def to_rust(self, precision: int = 64) -> str:
+        """The region as a module of Rust that needs the crate libm only; it computes with
+        numbers of 64 or 32 bits."""
+        return text_of(library.critreg_region_to_rust, self._handle, precision)
+
+    def picture(self, instance: Vector) -> Picture:
+        """The region in an instance, as a picture that a notebook shows."""
+        place = vector(instance, self._instance_len, "instance")
+        return Picture(text_of(library.critreg_region_to_svg, self._handle, place))
 
     def sample(self, instance: Vector, rng: Rng) -> list[float]:
         """Parameters from the region in an instance, uniform.

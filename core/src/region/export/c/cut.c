@@ -1,8 +1,8 @@
 
 /* A line cut where constraints change their minds. */
 typedef struct {
-    @_real at[2 * @_CONSTRAINTS];
-    unsigned char root[2 * @_CONSTRAINTS]; /* the constraint, and whether it then holds */
+    @_real at[2 * @_CONSTRAINTS + !@_CONSTRAINTS];
+    unsigned char root[2 * @_CONSTRAINTS + !@_CONSTRAINTS]; /* the constraint, and whether it then holds */
     int count;
     unsigned long hold, equal;
 } @_cut;

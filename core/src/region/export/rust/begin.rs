@@ -1,0 +1,2 @@
+#![allow(dead_code, unused_mut, unused_variables, clippy::all)]
+
