@@ -18,6 +18,7 @@ mod lifted;
 mod many;
 mod margins;
 mod parameters;
+mod program;
 mod sample;
 mod slice;
 

@@ -1,16 +1,16 @@
-//! Terms of constraints, as C.
+//! Terms of constraints.
 
-use super::code::{Operand, Value};
 use super::places::{NOT_STRAIGHT, Places, dot};
+use super::{Operand, Operation, Program, Value};
 use crate::domain::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 use crate::error::Error;
 
 /// A term: a value, and along a line of parameters also a factor times the length of a
 /// vector that moves.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Term {
-    pub(super) line: Value,
-    pub(super) bend: Option<(Operand, [Value; 3])>,
+pub(in crate::region) struct Term {
+    pub(in crate::region) line: Value,
+    pub(in crate::region) bend: Option<(Operand, [Value; 3])>,
 }
 
 impl From<Value> for Term {
@@ -25,8 +25,8 @@ impl Term {
     }
 }
 
-impl Places<'_, '_> {
-    pub(super) fn term(&mut self, nodes: &[Node], id: NodeId) -> Result<Term, Error> {
+impl<P: Program> Places<'_, P> {
+    pub(in crate::region) fn term(&mut self, nodes: &[Node], id: NodeId) -> Result<Term, Error> {
         let missing = Error::InvalidArgument("an expression refers to a missing term");
         match *nodes.get(usize::from(id.0)).ok_or(missing)? {
             Node::Sum(a, b) => {
@@ -62,7 +62,7 @@ impl Places<'_, '_> {
         }
     }
 
-    pub(super) fn difference(&mut self, a: Term, b: Term) -> Result<Term, Error> {
+    pub(in crate::region) fn difference(&mut self, a: Term, b: Term) -> Result<Term, Error> {
         let negative = match b.bend {
             Some((factor, vector)) => {
                 let zero = Operand::Zero;
@@ -171,8 +171,8 @@ impl Places<'_, '_> {
             return Err(NOT_STRAIGHT);
         }
         let code = &mut self.code;
-        let operands = [y.value, x.value];
-        let mut angle = Value::constant(code.constant(&["@_atan2(", ", ", ")"], &operands)?);
+        let angle = code.operation(Operation::ArcTangent(y.value, x.value))?;
+        let mut angle = Value::constant(angle);
         if !x.varies() && !y.varies() {
             return Ok(angle);
         }
@@ -186,8 +186,7 @@ impl Places<'_, '_> {
             let (first, second) = (code.product(x.value, of_y)?, code.product(y.value, of_x)?);
             let turned = code.difference(first, second)?;
             if turned != Operand::Zero {
-                *slope =
-                    code.constant(&["", " == 0 ? 0 : ", " / ", ""], &[square, turned, square])?;
+                *slope = code.cases(&["", " == 0 ? 0 : ", " / ", ""], &[square, turned, square])?;
             }
         }
         Ok(angle)
@@ -199,7 +198,7 @@ impl Places<'_, '_> {
             Extreme::Least => ("(@_real)INFINITY", " < "),
             Extreme::Greatest => ("-(@_real)INFINITY", " > "),
         };
-        let mut best = Value::constant(self.code.constant(&[start], &[])?);
+        let mut best = Value::constant(self.code.cases(&[start], &[])?);
         let domain = self.domain;
         for (member, own) in domain.of_members(quantity) {
             let Term { line, bend: None } = self.quantity(own)? else {
@@ -210,7 +209,7 @@ impl Places<'_, '_> {
             }
             // The numbers of a member that is absent are not equal to themselves.
             let first = Operand::Slot(member.first_slot);
-            let counts = self.code.constant(
+            let counts = self.code.cases(
                 &["", " == ", " && ", sign, ""],
                 &[first, first, line.value, best.value],
             )?;
@@ -218,7 +217,7 @@ impl Places<'_, '_> {
                 true => Ok(own),
                 false => self
                     .code
-                    .constant(&["", " != 0 ? ", " : ", ""], &[counts, own, other]),
+                    .cases(&["", " != 0 ? ", " : ", ""], &[counts, own, other]),
             };
             let mut chosen = Value::constant(choose(line.value, best.value)?);
             let slopes = line.slopes.into_iter().zip(best.slopes);

@@ -1,6 +1,6 @@
-//! Where points are, as C: in the order of operations of a scene and its samples.
+//! Where points are, in the order of operations of a scene and its samples.
 
-use super::code::{Code, Operand, Value};
+use super::{Operand, Program, Value};
 use crate::domain::{Base, Domain, MAX_PARAMETERS, Node, NodeId, Point, Shape};
 use crate::error::Error;
 use heapless::Vec;
@@ -18,14 +18,16 @@ pub(super) enum Turn {
     Tilted([[Value; 3]; 3]),
 }
 
-const ONE: Value = Value::constant(Operand::One);
-
 impl Turn {
-    fn rows(&self, code: &mut Code<'_>) -> Result<[[Value; 3]; 3], Error> {
+    fn rows(&self, code: &mut impl Program) -> Result<[[Value; 3]; 3], Error> {
         let o = Value::ZERO;
         Ok(match *self {
-            Turn::None => [[ONE, o, o], [o, ONE, o], [o, o, ONE]],
-            Turn::Planar([cos, sin]) => [[cos, code.negated(sin)?, o], [sin, cos, o], [o, o, ONE]],
+            Turn::None => [[Value::ONE, o, o], [o, Value::ONE, o], [o, o, Value::ONE]],
+            Turn::Planar([cos, sin]) => [
+                [cos, code.negated(sin)?, o],
+                [sin, cos, o],
+                [o, o, Value::ONE],
+            ],
             Turn::Tilted(rows) => rows,
         })
     }
@@ -33,7 +35,7 @@ impl Turn {
     /// Where it turns the x axis to.
     pub(super) fn heading(&self) -> [Value; 3] {
         match *self {
-            Turn::None => [ONE, Value::ZERO, Value::ZERO],
+            Turn::None => [Value::ONE, Value::ZERO, Value::ZERO],
             Turn::Planar([cos, sin]) => [cos, sin, Value::ZERO],
             Turn::Tilted(rows) => rows.map(|[x, ..]| x),
         }
@@ -55,10 +57,11 @@ pub(super) struct Placed {
     pub(super) turn: Turn,
 }
 
-/// Writes what points and given terms are.
-pub(super) struct Places<'d, 'o> {
+/// Computes what points and given terms are.
+pub(in crate::region) struct Places<'d, P> {
     pub(super) domain: &'d Domain<'d>,
-    pub(super) code: Code<'o>,
+    /// What takes the operations.
+    pub(in crate::region) code: P,
     pub(super) theta: [Value; MAX_PARAMETERS],
     /// Whether parameters move along a line, where only straight things have a closed form.
     pub(super) is_line: bool,
@@ -66,13 +69,13 @@ pub(super) struct Places<'d, 'o> {
 }
 
 /// The error of what has no closed form along a line of parameters.
-pub(super) const NOT_STRAIGHT: Error =
+pub(in crate::region) const NOT_STRAIGHT: Error =
     Error::InvalidArgument("a constraint has no closed form that is written as C");
 
-impl<'d, 'o> Places<'d, 'o> {
-    pub(super) fn new(
+impl<'d, P: Program> Places<'d, P> {
+    pub(in crate::region) fn new(
         domain: &'d Domain<'d>,
-        code: Code<'o>,
+        code: P,
         theta: [Value; MAX_PARAMETERS],
         is_line: bool,
     ) -> Self {
@@ -292,7 +295,7 @@ impl<'d, 'o> Places<'d, 'o> {
 }
 
 /// The scalar product of two vectors.
-pub(super) fn dot(code: &mut Code<'_>, a: [Value; 3], b: [Value; 3]) -> Result<Value, Error> {
+pub(super) fn dot(code: &mut impl Program, a: [Value; 3], b: [Value; 3]) -> Result<Value, Error> {
     let mut sum = Value::ZERO;
     for (a, b) in a.into_iter().zip(b) {
         let product = code.times(a, b)?;
