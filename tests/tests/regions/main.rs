@@ -5,6 +5,7 @@ mod bodies_angles;
 mod bodies_compound;
 mod bodies_sight;
 mod groups;
+mod implication;
 mod intersection;
 mod large_numbers;
 mod margins;

@@ -15,7 +15,7 @@ mod terms;
 pub(super) use places::{NOT_STRAIGHT, Places};
 pub(super) use terms::Term;
 
-use crate::domain::MAX_PARAMETERS;
+use crate::domain::{Extreme, MAX_PARAMETERS, Quantity};
 use crate::error::Error;
 
 /// What an operation takes: a number that is known by now, or where it stands.
@@ -44,6 +44,12 @@ pub(super) enum Operation {
     Root(Operand),
     /// The angle of a vector, of its y and its x.
     ArcTangent(Operand, Operand),
+    /// The lesser of two.
+    Least(Operand, Operand),
+    /// The greater of two.
+    Greatest(Operand, Operand),
+    /// An extreme over the members of a group, whatever there are.
+    Extreme(Extreme, Quantity),
 }
 
 /// A value and its derivatives by the parameters.
@@ -74,6 +80,10 @@ impl Value {
 /// The derivative of a magnitude, of a value and its own derivative; at zero, as if that
 /// had moved the value.
 const MAGNITUDE: [&str; 6] = ["", " < 0 || (", " == 0 && ", " < 0) ? -", " : ", ""];
+
+/// The error of what only C has.
+pub(super) const NOT_C: Error =
+    Error::InvalidArgument("derivatives and members that may be absent are for C only");
 
 /// Takes operations, and numbers what they compute.
 pub(super) trait Program {

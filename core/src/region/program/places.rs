@@ -3,6 +3,7 @@
 use super::{Operand, Program, Value};
 use crate::domain::{Base, Domain, MAX_PARAMETERS, Node, NodeId, Point, Shape};
 use crate::error::Error;
+use crate::region::obligations::Members;
 use heapless::Vec;
 
 /// How many points are computed once; further ones are where they are used.
@@ -59,12 +60,14 @@ pub(super) struct Placed {
 
 /// Computes what points and given terms are.
 pub(in crate::region) struct Places<'d, P> {
-    pub(super) domain: &'d Domain<'d>,
+    pub(in crate::region) domain: &'d Domain<'d>,
     /// What takes the operations.
     pub(in crate::region) code: P,
     pub(super) theta: [Value; MAX_PARAMETERS],
     /// Whether parameters move along a line, where only straight things have a closed form.
     pub(super) is_line: bool,
+    /// Which members of groups extremes are over.
+    pub(in crate::region) members: Members,
     kept: Vec<(u8, Placed), KEPT>,
 }
 
@@ -84,6 +87,7 @@ impl<'d, P: Program> Places<'d, P> {
             code,
             theta,
             is_line,
+            members: Members::Present,
             kept: Vec::new(),
         }
     }

@@ -4,6 +4,8 @@ use super::places::{NOT_STRAIGHT, Places, dot};
 use super::{Operand, Operation, Program, Value};
 use crate::domain::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 use crate::error::Error;
+use crate::grammar::Constraint;
+use crate::region::obligations::Members;
 
 /// A term: a value, and along a line of parameters also a factor times the length of a
 /// vector that moves.
@@ -26,6 +28,20 @@ impl Term {
 }
 
 impl<P: Program> Places<'_, P> {
+    /// How far a constraint is from its bound: at most zero where it holds.
+    pub(in crate::region) fn margin(
+        &mut self,
+        nodes: &[Node],
+        constraint: &Constraint,
+    ) -> Result<Operand, Error> {
+        let left = self.term(nodes, constraint.lhs)?.line.value;
+        let right = self.term(nodes, constraint.rhs)?.line.value;
+        match constraint.comparison.is_upper() {
+            true => self.code.difference(left, right),
+            false => self.code.difference(right, left),
+        }
+    }
+
     pub(in crate::region) fn term(&mut self, nodes: &[Node], id: NodeId) -> Result<Term, Error> {
         let missing = Error::InvalidArgument("an expression refers to a missing term");
         match *nodes.get(usize::from(id.0)).ok_or(missing)? {
@@ -56,7 +72,14 @@ impl<P: Program> Places<'_, P> {
                 let line = self.code.times(a.line, b.line)?;
                 Ok(Term { line, bend })
             }
-            Node::Extreme(extreme, quantity) => self.extreme(extreme, quantity).map(Term::from),
+            Node::Extreme(extreme, quantity) => match self.members {
+                Members::Present => self.extreme(extreme, quantity).map(Term::from),
+                Members::One(index) => self.quantity(self.domain.of_member(quantity, index)),
+                Members::Unknown => {
+                    let operation = Operation::Extreme(extreme, quantity);
+                    Ok(Value::constant(self.code.operation(operation)?).into())
+                }
+            },
             Node::Quantity(quantity) => self.quantity(quantity),
             leaf => Ok(self.leaf(leaf)?.ok_or(missing)?.into()),
         }

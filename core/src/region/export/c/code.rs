@@ -90,6 +90,9 @@ impl Program for Code<'_> {
             Operation::Magnitude(a) => self.cases(&["@_abs(", ")"], &[a]),
             Operation::Root(a) => self.cases(&["@_sqrt(", ")"], &[a]),
             Operation::ArcTangent(y, x) => self.cases(&["@_atan2(", ", ", ")"], &[y, x]),
+            Operation::Least(..) | Operation::Greatest(..) | Operation::Extreme(..) => Err(
+                Error::InvalidArgument("an extreme is written as C member by member"),
+            ),
         }
     }
 
