@@ -25,7 +25,8 @@ pub(super) fn narrow_operands(tape: &Tape, ranges: &mut Ranges) -> Result<(), Em
         };
         let of = |place: Place| range_of(ranges, place);
         match *node {
-            Node::Number(_) | Node::Variable(_) | Node::Extreme(..) => {}
+            Node::Number(_) | Node::Slack(_) | Node::Variable(_) | Node::Extreme(..) => {}
+            Node::Cut(_, a) => narrow(ranges, a, own)?,
             // Where they turn is left to halving.
             Node::Sine(_) | Node::Cosine(_) | Node::ArcTangent(..) => {}
             Node::Sum(a, b) => {

@@ -11,7 +11,7 @@ use crate::domain::Range;
 use heapless::Vec;
 
 /// Most terms of a sum; one with more is left as it is.
-const MAX_TERMS: usize = 40;
+const MAX_TERMS: usize = 32;
 
 /// How many hypotheses are added to one sum.
 const ROUNDS: usize = 3;
@@ -19,8 +19,16 @@ const ROUNDS: usize = 3;
 /// Factors times terms.
 #[derive(Clone, Debug)]
 pub(super) struct Sum {
-    terms: Vec<(Place, Range<f64>), MAX_TERMS>,
-    constant: Range<f64>,
+    pub(super) terms: Vec<(Place, Range<f64>), MAX_TERMS>,
+    pub(super) constant: Range<f64>,
+}
+
+impl Sum {
+    /// The factor of a term; the lower end of what is known of it.
+    pub(super) fn factor_of(&self, term: Place) -> Option<f64> {
+        let found = self.terms.iter().find(|(own, _)| *own == term);
+        found.map(|(_, factor)| factor.low)
+    }
 }
 
 /// The factors of all nodes, while a sum is taken apart.
@@ -215,6 +223,7 @@ impl Lines<'_> {
                 self.each_square(square, &mut |own| {
                     let length = self.magnitude_of(own);
                     visit(length.unwrap_or(own), factor);
+                    visit(own, outward::negative(factor));
                 });
             }
             Some(Node::Magnitude(a)) if is_below => {
@@ -274,6 +283,5 @@ fn minus(sum: &Sum, times: f64, other: &Sum) -> Option<Sum> {
             None => less.terms.push((*place, factor)).ok()?,
         }
     }
-    less.terms.retain(|(_, factor)| *factor != point(0.0));
     Some(less)
 }

@@ -13,6 +13,7 @@
 //! | `outward.rs` | ranges that are rounded outward |
 //! | `contraction.rs` | narrowing a box by the hypotheses |
 //! | `linear.rs` | what follows line by line, whatever the terms are |
+//! | `sharing.rs` | sums that constraints have in common, to halve boxes along |
 //! | `sensitivity.rs` | along which variable a box is halved |
 
 mod contraction;
@@ -21,6 +22,7 @@ mod outward;
 mod proof;
 mod search;
 mod sensitivity;
+mod sharing;
 mod tape;
 
 pub use search::Limit;
@@ -164,9 +166,10 @@ impl Region {
                 instance,
             );
             proof.write()?;
-            let Some(corners) = proof.corners() else {
+            let Some(mut corners) = proof.corners() else {
                 continue;
             };
+            proof.share(&mut corners)?;
             let outcome = search::search(&mut proof, &corners, config.boxes)?;
             answer.boxes = answer.boxes.saturating_add(outcome.boxes);
             if outcome.is_refuted {

@@ -50,12 +50,32 @@ fn sum_up(a: f64, b: f64) -> f64 {
     -sum_down(-a, -b)
 }
 
+/// Products up to here lose no digits at the lower end of what numbers there are.
+const SMALLEST_PRODUCT: f64 = 1e-280;
+
+/// Whether a product is not rounded (Dekker 1971). "No" may be wrong.
+pub(super) fn is_exact_product(a: f64, b: f64) -> bool {
+    let plain = |x: f64| x == 0.0 || x == 1.0 || x == -1.0;
+    if plain(a) || plain(b) {
+        return true;
+    }
+    // The upper and the lower half of the digits.
+    let split = |x: f64| {
+        let scaled = 134_217_729.0 * x;
+        let upper = scaled - (scaled - x);
+        (upper, x - upper)
+    };
+    let product = a * b;
+    let ((a1, a2), (b1, b2)) = (split(a), split(b));
+    let left_out = a2 * b2 - (((product - a1 * b1) - a2 * b1) - a1 * b2);
+    product.abs() > SMALLEST_PRODUCT && left_out == 0.0
+}
+
 /// A product, and whether it is exact. Zero times whatever there is is zero.
 fn factor(a: f64, b: f64) -> (f64, bool) {
-    let plain = |x: f64| x == 0.0 || x == 1.0 || x == -1.0;
     match a == 0.0 || b == 0.0 {
         true => (0.0, true),
-        false => (a * b, plain(a) || plain(b)),
+        false => (a * b, is_exact_product(a, b)),
     }
 }
 

@@ -4,8 +4,9 @@ use super::contraction::{Empty, narrow, narrow_operands};
 use super::linear::{Lines, Scratch};
 use super::outward::{EVERYTHING, point, range};
 use super::sensitivity::most_sensitive;
-use super::tape::{Corners, Node, Place, Ranges, Tape, range_of};
-use crate::domain::{Domain, MAX_PARAMETERS, Range};
+use super::sharing::{Moved, at, share};
+use super::tape::{Corners, Place, Ranges, Tape, range_of};
+use crate::domain::{Domain, MAX_PARAMETERS};
 use crate::error::Error;
 use crate::grammar::{Formula, MAX_CONSTRAINTS};
 use crate::region::lifted::Region;
@@ -15,6 +16,9 @@ use heapless::Vec;
 
 /// How often a box is narrowed before it is halved.
 const NARROWINGS: usize = 3;
+
+/// In which share of the boxes a counterexample is looked for.
+const DIVE_EVERY: u32 = 8;
 
 /// What there is in a box.
 pub(super) enum Found {
@@ -49,6 +53,7 @@ pub(super) struct Proof<'p> {
     /// Above the tolerance, where the statement does not hold.
     targets: Vec<Place, MAX_CONSTRAINTS>,
     ranges: Ranges,
+    examined: u32,
     scratch: Scratch,
     /// Where the counterexample is written: an instance.
     pub(super) instance: &'p mut [f64],
@@ -77,6 +82,7 @@ impl<'p> Proof<'p> {
             hypotheses: Vec::new(),
             targets: Vec::new(),
             ranges: Vec::new(),
+            examined: 0,
             scratch: Scratch::new(),
             instance,
             theta: [0.0; MAX_PARAMETERS],
@@ -133,6 +139,44 @@ impl<'p> Proof<'p> {
         })
     }
 
+    /// Writes the terms anew, with the sums that they have in common, over a box.
+    #[inline(never)]
+    pub(super) fn share(&mut self, corners: &mut Corners) -> Result<(), Error> {
+        if self.tape.evaluate(corners, &mut self.ranges).is_err() {
+            return Ok(());
+        }
+        let mut shared = Tape::default();
+        let mut moved = Moved::new();
+        let margins = self.of_region.iter().chain(&self.of_statement).flatten();
+        let literals = self.hypotheses.iter().chain(&self.targets);
+        let is_end = |place: Place| {
+            margins
+                .clone()
+                .chain(literals.clone())
+                .any(|own| *own == place)
+        };
+        share(&self.tape, &self.ranges, is_end, &mut shared, &mut moved)?;
+        let margins = self
+            .of_region
+            .iter_mut()
+            .chain(&mut self.of_statement)
+            .flatten();
+        let literals = self.hypotheses.iter_mut().chain(&mut self.targets);
+        for place in margins.chain(literals) {
+            *place = at(&moved, *place);
+        }
+        self.tape = shared;
+        for _ in 0..self.tape.cuts {
+            // There is room for all of them.
+            let _ = corners.push(EVERYTHING);
+        }
+        let Ok(()) = self.tape.evaluate(corners, &mut self.ranges) else {
+            return Ok(());
+        };
+        self.read_corners(corners);
+        Ok(())
+    }
+
     /// The box of all that is given; `None` if what the obligation is about is not there.
     pub(super) fn corners(&self) -> Option<Corners> {
         let mut corners = Corners::new();
@@ -171,16 +215,32 @@ impl<'p> Proof<'p> {
         }
         let terms = self.hypotheses.iter().chain(&self.targets).copied();
         let variable = most_sensitive(&self.tape, &self.ranges, corners, terms);
-        let middle = middle_of(corners);
-        if self.score(&middle) >= 0.0 && self.is_counterexample(&middle)? {
+        self.examined = self.examined.wrapping_add(1);
+        if self.examined % DIVE_EVERY == 1 && self.dive(corners.clone())? {
             return Ok(Found::Counterexample);
         }
         Ok(Found::Open(variable))
     }
 
+    /// Fixes one variable after the other in a box, and looks whether the sample that is
+    /// left is a counterexample.
+    #[inline(never)]
+    fn dive(&mut self, mut corners: Corners) -> Result<bool, Error> {
+        for index in 0..self.tape.variables.len() {
+            let Some(corner) = corners.get_mut(index) else {
+                break;
+            };
+            *corner = point(corner.low + 0.5 * (corner.high - corner.low));
+            if self.narrow(&mut corners).is_err() {
+                return Ok(false);
+            }
+        }
+        self.is_counterexample(&corners)
+    }
+
     /// Narrows a box by what must hold and what must not.
     fn narrow(&mut self, corners: &mut Corners) -> Result<(), Empty> {
-        self.tape.evaluate(corners, &mut self.ranges);
+        self.tape.evaluate(corners, &mut self.ranges)?;
         for place in &self.hypotheses {
             narrow(&mut self.ranges, *place, range(-f64::INFINITY, 0.0))?;
         }
@@ -192,14 +252,19 @@ impl<'p> Proof<'p> {
             )?;
         }
         narrow_operands(&self.tape, &mut self.ranges)?;
+        self.read_corners(corners);
+        Ok(())
+    }
+
+    /// Takes over the ranges of what a box has corners of.
+    fn read_corners(&self, corners: &mut Corners) {
         for (node, own) in self.tape.nodes.iter().zip(&self.ranges) {
-            if let Node::Variable(index) = node
-                && let Some(corner) = corners.get_mut(usize::from(*index))
+            if let Some(index) = self.tape.corner_of(*node)
+                && let Some(corner) = corners.get_mut(index)
             {
                 *corner = *own;
             }
         }
-        Ok(())
     }
 
     /// Whether it is proven that there is no counterexample within the ranges.
@@ -251,19 +316,19 @@ impl<'p> Proof<'p> {
     /// counterexample: the one in the middle of which less is missing.
     pub(super) fn prefers_upper(&mut self, corners: &Corners, variable: usize) -> bool {
         let mut score = |share: f64| {
-            let mut middle = middle_of(corners);
-            if let (Some(own), Some(to)) = (corners.get(variable), middle.get_mut(variable)) {
-                *to = point(own.low + share * (own.high - own.low));
+            let mut half = corners.clone();
+            if let Some(own) = half.get_mut(variable) {
+                *own = point(own.low + share * (own.high - own.low));
             }
-            self.score(&middle)
+            self.score(&half)
         };
         score(0.25) < score(0.75)
     }
 
-    /// How far a sample is from the end of what the region says and of what the statement
+    /// How far the middle of a box is from the end of what the region says and of what the statement
     /// does not say; below zero, by how much it is beyond one of them.
     fn score(&mut self, at: &Corners) -> f64 {
-        self.tape.evaluate(at, &mut self.ranges);
+        self.tape.evaluate_middle(at, &mut self.ranges);
         let of = |place: &Place| range_of(&self.ranges, *place);
         let inside = self.hypotheses.iter().map(|own| -of(own).low);
         let outside = self.targets.iter().map(|own| of(own).high - self.tolerance);
@@ -318,12 +383,6 @@ impl<'p> Proof<'p> {
             }
         }
     }
-}
-
-/// The middle of a box.
-fn middle_of(corners: &Corners) -> Corners {
-    let middle = |own: &Range<f64>| point(own.low + 0.5 * (own.high - own.low));
-    corners.iter().map(middle).collect()
 }
 
 /// Writes how far the constraints of a formula are from their bounds, and returns a bit for

@@ -2,11 +2,17 @@
 //! through its range (the largest smear, Kearfott 1996).
 
 use super::outward::magnitude;
-use super::tape::{Corners, MAX_NODES, MAX_VARIABLES, Node, Place, Ranges, Tape, range_of};
+use super::tape::{
+    Corners, MAX_CUTS, MAX_NODES, MAX_VARIABLES, Node, Place, Ranges, Tape, range_of,
+};
 use heapless::Vec;
 
 /// By how much a box can be halved along a variable still: a share of its size.
 const FINEST: f64 = 1e-13;
+
+/// By how much less counts what moves constraints by a term only that a box is halved along
+/// itself: a box is halved along it where that term is small already.
+const BEHIND: f64 = 0.002;
 
 /// The variable that a box is best halved along; `None` if it is too small along all.
 pub(super) fn most_sensitive(
@@ -40,12 +46,12 @@ fn slopes(
     tape: &Tape,
     ranges: &Ranges,
     terms: impl Iterator<Item = Place>,
-) -> Vec<f64, MAX_VARIABLES> {
+) -> Vec<f64, { MAX_VARIABLES + MAX_CUTS }> {
     let mut slopes: Vec<f64, MAX_NODES> = Vec::new();
-    let mut of_variables: Vec<f64, MAX_VARIABLES> = Vec::new();
+    let mut of_corners: Vec<f64, { MAX_VARIABLES + MAX_CUTS }> = Vec::new();
     // There is as much room as there is for nodes and variables.
     let _ = slopes.resize(tape.nodes.len(), 0.0);
-    let _ = of_variables.resize(tape.variables.len(), 0.0);
+    let _ = of_corners.resize(tape.variables.len() + usize::from(tape.cuts), 0.0);
     for place in terms {
         // So that wide constraints do not hide narrow ones.
         let own = range_of(ranges, place);
@@ -62,18 +68,18 @@ fn slopes(
         if slope == 0.0 {
             continue;
         }
+        if let Some(corner) = tape.corner_of(*node)
+            && let Some(own) = of_corners.get_mut(corner)
+        {
+            *own = slope;
+        }
         let mut add = |place: Place, factor: f64| {
             if let Some(own) = slopes.get_mut(usize::from(place)) {
                 *own += slope * factor;
             }
         };
         match *node {
-            Node::Number(_) | Node::Extreme(..) => {}
-            Node::Variable(index) => {
-                if let Some(own) = of_variables.get_mut(usize::from(index)) {
-                    *own += slope;
-                }
-            }
+            Node::Number(_) | Node::Slack(_) | Node::Variable(_) | Node::Extreme(..) => {}
             Node::Sum(a, b) | Node::Difference(a, b) | Node::Least(a, b) | Node::Greatest(a, b) => {
                 add(a, 1.0);
                 add(b, 1.0);
@@ -82,6 +88,7 @@ fn slopes(
                 add(a, size(b));
                 add(b, size(a));
             }
+            Node::Cut(_, a) => add(a, BEHIND),
             Node::Square(a) => add(a, 2.0 * size(a)),
             Node::Magnitude(a) | Node::Sine(a) | Node::Cosine(a) => add(a, 1.0),
             Node::Root(a) => {
@@ -99,5 +106,5 @@ fn slopes(
             }
         }
     }
-    of_variables
+    of_corners
 }

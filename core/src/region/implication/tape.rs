@@ -3,6 +3,7 @@
 //! Terms that two constraints have in common are one node. So what is unknown of them
 //! cancels where the constraints are compared.
 
+use super::contraction::Empty;
 use super::outward::{self, EVERYTHING, point};
 use crate::domain::{Extreme, Quantity, Range};
 use crate::error::Error;
@@ -14,6 +15,9 @@ pub(super) const MAX_NODES: usize = 512;
 /// Most numbers of an instance and parameters that what is proven depends on.
 pub(super) const MAX_VARIABLES: usize = 64;
 
+/// Most terms that boxes are halved along.
+pub(super) const MAX_CUTS: usize = 16;
+
 /// The place of a node.
 pub(super) type Place = u16;
 
@@ -21,8 +25,12 @@ pub(super) type Place = u16;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Node {
     Number(f64),
+    /// What rounding has left open: a number between zero and this one.
+    Slack(f64),
     /// A number of the instance or a parameter, by its place among those that are read.
     Variable(u8),
+    /// Another term, which boxes are halved along; by its place among those.
+    Cut(u8, Place),
     /// An extreme over a group, of which nothing is known but that it is one number.
     Extreme(Extreme, Quantity),
     Sum(Place, Place),
@@ -41,8 +49,29 @@ pub(super) enum Node {
 /// Ranges of all nodes.
 pub(super) type Ranges = Vec<Range<f64>, MAX_NODES>;
 
-/// Ranges of all variables.
-pub(super) type Corners = Vec<Range<f64>, MAX_VARIABLES>;
+/// Ranges of all variables, and behind them of all terms that boxes are halved along.
+pub(super) type Corners = Vec<Range<f64>, { MAX_VARIABLES + MAX_CUTS }>;
+
+impl Node {
+    /// The same of other operands.
+    pub(super) fn with_operands(self, of: impl Fn(Place) -> Place) -> Node {
+        match self {
+            Node::Cut(index, a) => Node::Cut(index, of(a)),
+            Node::Sum(a, b) => Node::Sum(of(a), of(b)),
+            Node::Difference(a, b) => Node::Difference(of(a), of(b)),
+            Node::Product(a, b) => Node::Product(of(a), of(b)),
+            Node::Square(a) => Node::Square(of(a)),
+            Node::Magnitude(a) => Node::Magnitude(of(a)),
+            Node::Root(a) => Node::Root(of(a)),
+            Node::Sine(a) => Node::Sine(of(a)),
+            Node::Cosine(a) => Node::Cosine(of(a)),
+            Node::ArcTangent(y, x) => Node::ArcTangent(of(y), of(x)),
+            Node::Least(a, b) => Node::Least(of(a), of(b)),
+            Node::Greatest(a, b) => Node::Greatest(of(a), of(b)),
+            Node::Number(_) | Node::Slack(_) | Node::Variable(_) | Node::Extreme(..) => self,
+        }
+    }
+}
 
 /// Nodes, operands before what uses them.
 #[derive(Debug, Default)]
@@ -50,10 +79,12 @@ pub(super) struct Tape {
     pub(super) nodes: Vec<Node, MAX_NODES>,
     /// What the variables are: slots and parameters.
     pub(super) variables: Vec<Operand, MAX_VARIABLES>,
+    /// How many terms boxes are halved along, too.
+    pub(super) cuts: u8,
 }
 
 impl Tape {
-    fn push(&mut self, node: Node) -> Result<Place, Error> {
+    pub(super) fn push(&mut self, node: Node) -> Result<Place, Error> {
         let full = Error::CapacityExceeded("terms of a proof: at most 512 of both regions");
         let place = match self.nodes.iter().position(|own| *own == node) {
             Some(place) => place,
@@ -89,12 +120,107 @@ impl Tape {
         }
     }
 
-    /// The range of each node over a box.
-    pub(super) fn evaluate(&self, corners: &Corners, ranges: &mut Ranges) {
+    /// The term of which boxes are halved along another one; that one itself, if there is
+    /// no room for more of them.
+    pub(super) fn cut(&mut self, place: Place) -> Result<Place, Error> {
+        let is_cut = |node: &Node| matches!(node, Node::Cut(_, own) if *own == place);
+        if let Some(known) = self.nodes.iter().position(is_cut) {
+            return Ok(Place::try_from(known).unwrap_or(place));
+        }
+        if usize::from(self.cuts) == MAX_CUTS {
+            return Ok(place);
+        }
+        self.cuts += 1;
+        self.push(Node::Cut(self.cuts - 1, place))
+    }
+
+    /// Adds a factor times a term to a sum, or begins one.
+    pub(super) fn add_scaled(
+        &mut self,
+        sum: Option<Place>,
+        factor: f64,
+        term: Place,
+    ) -> Result<Place, Error> {
+        if factor == -1.0
+            && let Some(sum) = sum
+        {
+            return self.push(Node::Difference(sum, term));
+        }
+        let term = match factor == 1.0 {
+            true => term,
+            false => {
+                let factor = self.push(Node::Number(factor))?;
+                self.push(Node::Product(factor, term))?
+            }
+        };
+        match sum {
+            Some(sum) => self.push(Node::Sum(sum, term)),
+            None => Ok(term),
+        }
+    }
+
+    /// Adds a number to a sum, or begins one.
+    pub(super) fn add_constant(
+        &mut self,
+        sum: Option<Place>,
+        constant: Range<f64>,
+    ) -> Result<Place, Error> {
+        if let Some(sum) = sum
+            && constant == point(0.0)
+        {
+            return Ok(sum);
+        }
+        let mut number = self.push(Node::Number(constant.low))?;
+        if constant.low < constant.high {
+            let slack = outward::minus(point(constant.high), point(constant.low)).high;
+            let slack = self.push(Node::Slack(slack))?;
+            number = self.push(Node::Sum(number, slack))?;
+        }
+        match sum {
+            Some(sum) => self.push(Node::Sum(sum, number)),
+            None => Ok(number),
+        }
+    }
+
+    /// The corner of a box that a node has.
+    pub(super) fn corner_of(&self, node: Node) -> Option<usize> {
+        match node {
+            Node::Variable(index) => Some(usize::from(index)),
+            Node::Cut(index, _) => Some(self.variables.len() + usize::from(index)),
+            _ => None,
+        }
+    }
+
+    /// The range of each node over a box, of which the terms that it is halved along are
+    /// known, too.
+    ///
+    /// # Errors
+    /// [`Empty`], if one of them cannot be in its range.
+    pub(super) fn evaluate(&self, corners: &Corners, ranges: &mut Ranges) -> Result<(), Empty> {
         ranges.clear();
         for node in &self.nodes {
-            let own = self.range(*node, corners, ranges);
+            let mut own = self.range(*node, corners, ranges);
+            if let Node::Cut(..) = node
+                && let Some(corner) = self.corner_of(*node).and_then(|own| corners.get(own))
+            {
+                own = outward::common(own, *corner).ok_or(Empty)?;
+            }
             // There are as many places as there are for nodes.
+            let _ = ranges.push(own);
+        }
+        Ok(())
+    }
+
+    /// The value of each node at the middle of a box, where terms that it is halved along
+    /// are in the middle, too, whatever they are made of.
+    pub(super) fn evaluate_middle(&self, corners: &Corners, ranges: &mut Ranges) {
+        ranges.clear();
+        for node in &self.nodes {
+            let corner = self.corner_of(*node).and_then(|own| corners.get(own));
+            let own = match corner {
+                Some(corner) => point(corner.low + 0.5 * (corner.high - corner.low)),
+                None => self.range(*node, corners, ranges),
+            };
             let _ = ranges.push(own);
         }
     }
@@ -103,10 +229,12 @@ impl Tape {
         let of = |place: Place| range_of(ranges, place);
         match node {
             Node::Number(number) => point(number),
+            Node::Slack(most) => outward::range(0.0, most),
             Node::Variable(index) => {
                 let own = corners.get(usize::from(index));
                 own.copied().unwrap_or(EVERYTHING)
             }
+            Node::Cut(_, a) => of(a),
             Node::Extreme(..) => EVERYTHING,
             Node::Sum(a, b) => outward::plus(of(a), of(b)),
             Node::Difference(a, b) => outward::minus(of(a), of(b)),
