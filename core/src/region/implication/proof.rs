@@ -5,7 +5,7 @@ use super::linear::{Lines, Scratch};
 use super::outward::{EVERYTHING, point, range};
 use super::sensitivity::most_sensitive;
 use super::sharing::{Moved, at, share};
-use super::tape::{Corners, Place, Ranges, Tape, range_of};
+use super::tape::{Corners, MAX_SIZES, Place, Ranges, Tape, range_of};
 use crate::domain::{Domain, MAX_PARAMETERS};
 use crate::error::Error;
 use crate::grammar::{Formula, MAX_CONSTRAINTS};
@@ -49,9 +49,11 @@ pub(super) struct Proof<'p> {
     /// A bit for each constraint of the region that is read of one member of a group.
     in_part: u32,
     /// At most zero, for each constraint of the region that must hold or fail.
-    hypotheses: Vec<Place, MAX_CONSTRAINTS>,
+    pub(super) hypotheses: Vec<Place, MAX_CONSTRAINTS>,
+    /// Zero, whatever the variables are.
+    pub(super) identities: Vec<Place, MAX_SIZES>,
     /// Above the tolerance, where the statement does not hold.
-    targets: Vec<Place, MAX_CONSTRAINTS>,
+    pub(super) targets: Vec<Place, MAX_CONSTRAINTS>,
     ranges: Ranges,
     examined: u32,
     scratch: Scratch,
@@ -80,6 +82,7 @@ impl<'p> Proof<'p> {
             of_statement: Vec::new(),
             in_part: 0,
             hypotheses: Vec::new(),
+            identities: Vec::new(),
             targets: Vec::new(),
             ranges: Vec::new(),
             examined: 0,
@@ -136,7 +139,9 @@ impl<'p> Proof<'p> {
             if let Some(place) = must(own, !holds) {
                 let _ = targets.push(place);
             }
-        })
+        })?;
+        self.identities.clone_from(&self.tape.identities);
+        Ok(())
     }
 
     /// Writes the terms anew, with the sums that they have in common, over a box.
@@ -144,6 +149,11 @@ impl<'p> Proof<'p> {
     pub(super) fn share(&mut self, corners: &mut Corners) -> Result<(), Error> {
         if self.tape.evaluate(corners, &mut self.ranges).is_err() {
             return Ok(());
+        }
+        if !self.tape.has_sizes(&self.ranges) {
+            return Err(Error::InvalidArgument(
+                "a size of a body is zero or less in these ranges, where it is another body or none",
+            ));
         }
         let mut shared = Tape::default();
         let mut moved = Moved::new();
@@ -162,7 +172,7 @@ impl<'p> Proof<'p> {
             .chain(&mut self.of_statement)
             .flatten();
         let literals = self.hypotheses.iter_mut().chain(&mut self.targets);
-        for place in margins.chain(literals) {
+        for place in margins.chain(literals).chain(&mut self.identities) {
             *place = at(&moved, *place);
         }
         self.tape = shared;
@@ -242,6 +252,9 @@ impl<'p> Proof<'p> {
     fn narrow(&mut self, corners: &mut Corners) -> Result<(), Empty> {
         self.tape.evaluate(corners, &mut self.ranges)?;
         for place in &self.hypotheses {
+            narrow(&mut self.ranges, *place, range(-f64::INFINITY, 0.0))?;
+        }
+        for place in &self.identities {
             narrow(&mut self.ranges, *place, range(-f64::INFINITY, 0.0))?;
         }
         for place in &self.targets {

@@ -46,11 +46,28 @@ pub(super) fn share(
             false => None,
         };
         let written = match sum {
-            Some(sum) => sharing.write(&sum, place, DEEPEST, shared, moved)?,
+            Some(sum) => {
+                let written = sharing.write(&sum, place, DEEPEST, shared, moved)?;
+                let uses = tape.nodes.iter().filter(|node| bends(**node, place));
+                let is_new = matches!(
+                    shared.nodes.last(),
+                    Some(Node::Sum(..) | Node::Difference(..))
+                );
+                match uses.count() > 1 && sum.terms.len() > 1 && is_new {
+                    true => shared.cut(written)?,
+                    false => written,
+                }
+            }
             None => shared.push(node.with_operands(|operand| at(moved, operand)))?,
         };
         // There is a place for each node.
         let _ = moved.push(written);
+        for (one, other) in &tape.equals {
+            if *one.max(other) == place {
+                // Without room, it is only known that both are equal.
+                let _ = shared.equals.push((at(moved, *one), at(moved, *other)));
+            }
+        }
     }
     Ok(())
 }

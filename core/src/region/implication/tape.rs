@@ -7,7 +7,7 @@ use super::contraction::Empty;
 use super::outward::{self, EVERYTHING, point};
 use crate::domain::{Extreme, Quantity, Range};
 use crate::error::Error;
-use crate::region::program::{NOT_C, Operand, Operation, Program};
+use crate::region::program::{NOT_C, Operand, Operation, Program, Value};
 use heapless::Vec;
 
 /// Most terms of what is proven at once.
@@ -17,6 +17,9 @@ pub(super) const MAX_VARIABLES: usize = 64;
 
 /// Most terms that boxes are halved along.
 pub(super) const MAX_CUTS: usize = 16;
+
+/// Most sizes of bodies, and most identities.
+pub(super) const MAX_SIZES: usize = 64;
 
 /// The place of a node.
 pub(super) type Place = u16;
@@ -81,6 +84,12 @@ pub(super) struct Tape {
     pub(super) variables: Vec<Operand, MAX_VARIABLES>,
     /// How many terms boxes are halved along, too.
     pub(super) cuts: u8,
+    /// What has to be above zero.
+    positive: Vec<Place, MAX_SIZES>,
+    /// What is zero whatever the variables are.
+    pub(super) identities: Vec<Place, MAX_SIZES>,
+    /// Terms that stand for others, which are equal.
+    pub(super) equals: Vec<(Place, Place), MAX_SIZES>,
 }
 
 impl Tape {
@@ -93,7 +102,9 @@ impl Tape {
                 self.nodes.len() - 1
             }
         };
-        Place::try_from(place).map_err(|_| full)
+        let place = Place::try_from(place).map_err(|_| full)?;
+        let equal = self.equals.iter().find(|(own, _)| *own == place);
+        Ok(equal.map_or(place, |(_, other)| *other))
     }
 
     /// The node of an operand.
@@ -118,6 +129,12 @@ impl Tape {
                 self.push(Node::Variable(index))
             }
         }
+    }
+
+    /// Whether all sizes of bodies are above zero.
+    pub(super) fn has_sizes(&self, ranges: &Ranges) -> bool {
+        let mut sizes = self.positive.iter();
+        sizes.all(|size| range_of(ranges, *size).low > 0.0)
     }
 
     /// The term of which boxes are halved along another one; that one itself, if there is
@@ -302,6 +319,32 @@ impl Program for &mut Tape {
             Operand::Temp(self.push(sine)?),
             Operand::Temp(self.push(cosine)?),
         ])
+    }
+
+    fn require_positive(&mut self, size: Operand) -> Result<(), Error> {
+        let full = Error::CapacityExceeded("sizes of bodies in a proof: at most 64");
+        let size = self.place(size)?;
+        match self.positive.contains(&size) {
+            true => Ok(()),
+            false => self.positive.push(size).map_err(|_| full),
+        }
+    }
+
+    fn note_turned(&mut self, vector: [Value; 3], turned: [Value; 3]) -> Result<(), Error> {
+        let (a, b) = (self.norm(vector)?.value, self.norm(turned)?.value);
+        if a == b {
+            return Ok(());
+        }
+        for (a, b) in [(a, b), (b, a)] {
+            let difference = self.difference(a, b)?;
+            let place = self.place(difference)?;
+            let full = Error::CapacityExceeded("turned vectors in a proof: at most 32");
+            self.identities.push(place).map_err(|_| full)?;
+        }
+        let (a, b) = (self.place(a)?, self.place(b)?);
+        // Without room, it is only known that both are equal.
+        let _ = self.equals.push((a, b));
+        Ok(())
     }
 
     fn cases(&mut self, _: &[&str], _: &[Operand]) -> Result<Operand, Error> {

@@ -5,10 +5,12 @@
 //! | `mod.rs` | operations, values with their derivatives, and the trait of what takes them |
 //! | `places.rs` | where points are |
 //! | `terms.rs` | what terms are |
+//! | `bodies.rs` | relations between bodies |
 //!
 //! What takes the operations writes them down (as C), or keeps them to compute with
 //! ranges. They are those of a scene and its samples, in the same order.
 
+mod bodies;
 mod places;
 mod terms;
 
@@ -96,6 +98,19 @@ pub(super) trait Program {
     /// Adds a distinction of cases: pieces of C with operands between them. Derivatives and
     /// extremes have some, and only C has those.
     fn cases(&mut self, pieces: &[&str], operands: &[Operand]) -> Result<Operand, Error>;
+
+    /// Refuses relations between bodies, if it cannot take them.
+    fn check_bodies(&self) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// Adds that a size of a body has to be above zero.
+    fn require_positive(&mut self, size: Operand) -> Result<(), Error>;
+
+    /// Notes that two vectors are of one length, one being the other one turned.
+    fn note_turned(&mut self, _: [Value; 3], _: [Value; 3]) -> Result<(), Error> {
+        Ok(())
+    }
 
     /// A number of the text.
     fn number(&mut self, number: f64) -> Result<Operand, Error> {

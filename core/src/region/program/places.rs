@@ -20,7 +20,7 @@ pub(super) enum Turn {
 }
 
 impl Turn {
-    fn rows(&self, code: &mut impl Program) -> Result<[[Value; 3]; 3], Error> {
+    pub(super) fn rows(&self, code: &mut impl Program) -> Result<[[Value; 3]; 3], Error> {
         let o = Value::ZERO;
         Ok(match *self {
             Turn::None => [[Value::ONE, o, o], [o, Value::ONE, o], [o, o, Value::ONE]],
@@ -238,7 +238,7 @@ impl<'d, P: Program> Places<'d, P> {
     }
 
     /// A term of the domain: an offset, a turn, a size.
-    fn given(&mut self, id: Option<NodeId>) -> Result<Value, Error> {
+    pub(super) fn given(&mut self, id: Option<NodeId>) -> Result<Value, Error> {
         let Some(id) = id else {
             return Ok(Value::ZERO);
         };

@@ -136,11 +136,11 @@ impl<P: Program> Places<'_, P> {
                 Ok(self.angle(a, b)?.into())
             }
             Quantity::FoldedAngle(..) => Err(Error::InvalidArgument(
-                "an angle with a symmetry cannot be written as C; use the library for this region",
+                "an angle with a symmetry cannot be written down; use the library for this region",
             )),
-            Quantity::Relation(..) | Quantity::Sight(..) => Err(Error::InvalidArgument(
-                "a relation between bodies cannot be written as C; use the library for this region",
-            )),
+            Quantity::Relation(..) | Quantity::Sight(..) => {
+                Ok(self.between_bodies(quantity)?.into())
+            }
         }
     }
 

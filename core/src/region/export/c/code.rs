@@ -113,6 +113,16 @@ impl Program for Code<'_> {
         Ok(both)
     }
 
+    fn check_bodies(&self) -> Result<(), Error> {
+        Err(Error::InvalidArgument(
+            "a relation between bodies cannot be written as C; use the library for this region",
+        ))
+    }
+
+    fn require_positive(&mut self, _: Operand) -> Result<(), Error> {
+        self.check_bodies()
+    }
+
     fn cases(&mut self, pieces: &[&str], operands: &[Operand]) -> Result<Operand, Error> {
         let constant = self.fresh()?;
         self.text("    @_LET ")?;
