@@ -985,6 +985,22 @@
 #define CRITREG_MAX_REGIONS 32
 
 /**
+ * In a critreg_proof: neither a proof nor a counterexample was found.
+ */
+#define CRITREG_UNDECIDED 0
+
+/**
+ * In a critreg_proof: the region satisfies the specification, in all instances in the
+ * ranges and with all parameters.
+ */
+#define CRITREG_PROVEN 1
+
+/**
+ * In a critreg_proof: there is a counterexample.
+ */
+#define CRITREG_REFUTED 2
+
+/**
  * For critreg_planner_config.heuristic: LM-cut (Helmert and Domshlak 2009), the
  * default. Never too high, so that shorter sequences come before longer ones.
  */
@@ -1562,6 +1578,49 @@ typedef struct critreg_rng {
      */
     uint64_t state[2];
 } critreg_rng;
+
+/**
+ * What critreg_region_implies() may cost, and what it found.
+ */
+typedef struct critreg_proof {
+    /**
+     * Size of this struct in bytes, from critreg_proof_init().
+     */
+    uint32_t struct_size;
+    /**
+     * How many boxes of instances and parameters are examined at most for each statement of
+     * the specification, and for each member of a group that it is about. A box takes some
+     * ten microseconds. Default: 20000.
+     */
+    uint32_t max_boxes;
+    /**
+     * By how much a constraint of the specification may be missed, in its own unit: above
+     * zero. Default: 1e-6.
+     */
+    double tolerance;
+    /**
+     * CRITREG_PROVEN, CRITREG_REFUTED or CRITREG_UNDECIDED.
+     */
+    uint32_t verdict;
+    /**
+     * If it is undecided: 1 if a box was halved as often as there is room for, so that more
+     * boxes do not help; else 0, and they may.
+     */
+    uint32_t too_fine;
+    /**
+     * If it is not proven: which of the statements that the specification joins by "and" is
+     * refuted, or has most that is open; from 0.
+     */
+    uint32_t statement;
+    /**
+     * How many boxes were examined.
+     */
+    uint32_t boxes;
+    /**
+     * If it is undecided: the share of the cases of that statement that is open.
+     */
+    double open;
+} critreg_proof;
 
 /**
  * How to plan, how long, and with how much memory. Fill it with
@@ -3340,6 +3399,63 @@ critreg_status critreg_region_margins(const struct critreg_region *region,
                                       const double *theta,
                                       double *values,
                                       double *gradients);
+
+/**
+ * Prepares a proof for critreg_region_implies(), with defaults.
+ *
+ * @param proof The proof.
+ * @param size sizeof *proof; see critreg_config_init().
+ * @return As critreg_config_init().
+ */
+critreg_status critreg_proof_init(struct critreg_proof *proof, size_t size);
+
+/**
+ * Whether all that a region admits satisfies a specification, in every instance whose
+ * numbers are in ranges.
+ *
+ * A specification is a region of the same domain text that says what must hold, as "the
+ * hand stays in its zone and clear of every obstacle":
+ *
+ * ```c
+ * critreg_region_parse(memory, sizeof memory, domain_text,
+ *     "hand.y + radius <= zone.top and min(clear(hand, obstacle)) >= 0", &specification);
+ * critreg_proof_init(&proof, sizeof proof);
+ * critreg_region_implies(region, specification, ranges, &proof, instance, theta);
+ * if (proof.verdict == CRITREG_REFUTED)
+ *     try_it(instance, theta);    /* in the region, and not as specified */
+ * ```
+ *
+ * A proof is one in real arithmetic (rounding is outward), up to proof.tolerance. A
+ * counterexample is in the region and not in the specification, as
+ * critreg_region_contains() tells of double precision. Statements are proven one by one,
+ * those about all members of a group for one member at a time, so their number costs
+ * little. Members of groups may be there or not; one whose ranges are NaN never is. What
+ * touches what is specified without a gap, or hangs together by many numbers, may stay
+ * undecided.
+ *
+ * Some things cannot be proven: angles with a symmetry, lines of sight, and how clear two
+ * bodies are of each other that both have sides. A specification about them is refused;
+ * in a region they count as if they were not said.
+ *
+ * @param region The region.
+ * @param specification What it has to satisfy.
+ * @param ranges A lower and an upper end for each number of an instance.
+ * @param proof From critreg_proof_init(); what it may cost is read, what was found is
+ * written.
+ * @param instance Receives the instance of a counterexample, one number per attribute: NaN
+ * for those of members that it is not about. What it holds is undefined unless there is one.
+ * @param theta Receives its parameters, if there is one; NULL if the action has none.
+ * @return CRITREG_MISMATCH for regions of two domain texts; CRITREG_INVALID_ARGUMENT for a
+ * specification that cannot be proven, and for a range or a tolerance that is none;
+ * CRITREG_NOT_FINITE for a range; CRITREG_CAPACITY_EXCEEDED for more terms than there is
+ * room for; CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_implies(const struct critreg_region *region,
+                                      const struct critreg_region *specification,
+                                      const double *ranges,
+                                      struct critreg_proof *proof,
+                                      double *instance,
+                                      double *theta);
 
 /**
  * Writes a region as C99 that needs no library: a header with static inline functions,

@@ -72,6 +72,11 @@ static void views() {
     std::vector<double> values(region.constraints().size()), gradients(values);
     region.margins({1.0, 0.0}, {0.5}, values, gradients);
     EXPECT_TRUE(values[0] < 0.0 && gradients[0] == 1.0);
+    double where[2], how[1];
+    const std::vector<double> ranges = {0.0, 4.0, 0.0, 1.0};
+    critreg_proof proof =
+        region.implies(region, ranges, critreg::Region::default_proof(), where, how);
+    EXPECT_TRUE(proof.verdict == CRITREG_PROVEN);
     EXPECT_TRUE(region.to_c("reach").find("reach_contains") != std::string::npos);
     critreg::Rng many(3);
     double drawn[5] = {9.0, 9.0, 9.0, 9.0, 9.0};

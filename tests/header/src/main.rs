@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 41] = [
+const SOURCES: [&str; 42] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",
@@ -27,6 +27,7 @@ const SOURCES: [&str; 41] = [
     "region/sampling.rs",
     "region/many.rs",
     "region/margins.rs",
+    "region/implies.rs",
     "region/export.rs",
     "boundary/rng.rs",
     "planner/config.rs",

@@ -13,6 +13,7 @@
 //! | `outward.rs` | ranges that are rounded outward |
 //! | `contraction.rs` | narrowing a box by the hypotheses |
 //! | `linear.rs` | what follows line by line, whatever the terms are |
+//! | `smt2.rs` | the same questions for other provers |
 //! | `sharing.rs` | sums that constraints have in common, to halve boxes along |
 //! | `sensitivity.rs` | along which variable a box is halved |
 
@@ -23,6 +24,7 @@ mod proof;
 mod search;
 mod sensitivity;
 mod sharing;
+mod smt2;
 mod tape;
 
 pub use search::Limit;
@@ -41,7 +43,8 @@ pub struct ProofConfig {
     /// and 1 s.
     pub boxes: u32,
     /// By how much a constraint of the specification may be missed, in its own unit. It has
-    /// to be above what constants are rounded by: 0.1 + 0.2 is not 0.3.
+    /// to be above what constants are rounded by (0.1 + 0.2 is not 0.3), and the larger it is
+    /// the sooner is decided what only just holds.
     pub tolerance: f64,
 }
 
@@ -49,7 +52,7 @@ impl Default for ProofConfig {
     fn default() -> Self {
         ProofConfig {
             boxes: 20_000,
-            tolerance: 1e-9,
+            tolerance: 1e-6,
         }
     }
 }
@@ -133,17 +136,7 @@ impl Region {
         config: ProofConfig,
         instance: &mut [f64],
     ) -> Result<Implication, Error> {
-        for region in [self, specification] {
-            if domain.fingerprint() != region.fingerprint {
-                return Err(Error::Mismatch("the region belongs to another domain text"));
-            }
-        }
-        if !(config.tolerance > 0.0 && config.tolerance.is_finite()) {
-            return Err(Error::InvalidArgument(
-                "the tolerance of a proof is above zero",
-            ));
-        }
-        check_ranges(domain, ranges)?;
+        check([self, specification], domain, ranges, config)?;
         if instance.len() != domain.instance_len() {
             return Err(Error::InvalidArgument(
                 "a counterexample needs room for one number per attribute of every object",
@@ -191,6 +184,24 @@ impl Region {
         }
         Ok(answer)
     }
+}
+
+/// Checks what a proof is asked for.
+fn check(
+    regions: [&Region; 2],
+    domain: &Domain<'_>,
+    ranges: &[[f64; 2]],
+    config: ProofConfig,
+) -> Result<(), Error> {
+    for region in regions {
+        region.check_domain(domain)?;
+    }
+    if !(config.tolerance > 0.0 && config.tolerance.is_finite()) {
+        return Err(Error::InvalidArgument(
+            "the tolerance of a proof is above zero",
+        ));
+    }
+    check_ranges(domain, ranges)
 }
 
 /// Checks that there is a range for each number of an instance, and none for those of a

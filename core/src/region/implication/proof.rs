@@ -20,6 +20,11 @@ const NARROWINGS: usize = 3;
 /// In which share of the boxes a counterexample is looked for.
 const DIVE_EVERY: u32 = 8;
 
+/// The error of a body that may have no size.
+pub(super) const NO_SIZE: Error = Error::InvalidArgument(
+    "a size of a body is zero or less in these ranges, where it is another body or none",
+);
+
 /// What there is in a box.
 pub(super) enum Found {
     /// No counterexample.
@@ -32,7 +37,7 @@ pub(super) enum Found {
 
 /// Terms that are at most zero where the constraints of a formula hold; none where a
 /// constraint cannot be written as a term.
-type Margins = Vec<Option<Place>, MAX_CONSTRAINTS>;
+pub(super) type Margins = Vec<Option<Place>, MAX_CONSTRAINTS>;
 
 /// A proof that a region satisfies one statement, or a search for where it does not.
 pub(super) struct Proof<'p> {
@@ -44,10 +49,12 @@ pub(super) struct Proof<'p> {
     /// By how much the statement may be missed.
     pub(super) tolerance: f64,
     pub(super) tape: Tape,
-    of_region: Margins,
-    of_statement: Margins,
+    pub(super) of_region: Margins,
+    pub(super) of_statement: Margins,
+    /// Behind the last term of the statement.
+    pub(super) statement_end: Place,
     /// A bit for each constraint of the region that is read of one member of a group.
-    in_part: u32,
+    pub(super) in_part: u32,
     /// At most zero, for each constraint of the region that must hold or fail.
     pub(super) hypotheses: Vec<Place, MAX_CONSTRAINTS>,
     /// Zero, whatever the variables are.
@@ -80,6 +87,7 @@ impl<'p> Proof<'p> {
             tape: Tape::default(),
             of_region: Vec::new(),
             of_statement: Vec::new(),
+            statement_end: 0,
             in_part: 0,
             hypotheses: Vec::new(),
             identities: Vec::new(),
@@ -112,6 +120,7 @@ impl<'p> Proof<'p> {
             &mut self.of_statement,
             true,
         )?;
+        self.statement_end = Place::try_from(places.code.nodes.len()).unwrap_or(Place::MAX);
         let formula = self.region.formula();
         let own = &mut self.of_region;
         self.in_part = write_margins(self.obligation, formula, &mut places, own, false)?;
@@ -151,9 +160,7 @@ impl<'p> Proof<'p> {
             return Ok(());
         }
         if !self.tape.has_sizes(&self.ranges) {
-            return Err(Error::InvalidArgument(
-                "a size of a body is zero or less in these ranges, where it is another body or none",
-            ));
+            return Err(NO_SIZE);
         }
         let mut shared = Tape::default();
         let mut moved = Moved::new();

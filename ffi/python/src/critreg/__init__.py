@@ -36,7 +36,17 @@ from .planner import (
     PlannerOptions,
     Step,
 )
-from .region import Constraint, Evidence, Quality, Region, Rng, are_empty, sample
+from .region import (
+    Constraint,
+    Evidence,
+    Proof,
+    Quality,
+    Region,
+    Rng,
+    Verdict,
+    are_empty,
+    sample,
+)
 from .status import EmptyRegion, Error, NoPlan, NoRegion, NoSample, Status
 
 __version__: str = _library.library.critreg_version().decode()
@@ -67,6 +77,7 @@ __all__ = [
     "Options",
     "Planner",
     "PlannerOptions",
+    "Proof",
     "Quality",
     "Query",
     "Question",
@@ -75,6 +86,7 @@ __all__ = [
     "Rng",
     "Status",
     "Step",
+    "Verdict",
     "Why",
     "are_empty",
     "sample",

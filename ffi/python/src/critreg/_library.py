@@ -75,6 +75,8 @@ ARGUMENTS: dict[str, list[Any]] = {
     "critreg_region_contains": [_ANY, _ANY, _ANY, _ANY],
     "critreg_region_contains_many": [_ANY, _ANY, _ANY, _SIZE, _ANY],
     "critreg_region_margins": [_ANY, _ANY, _ANY, _ANY, _ANY],
+    "critreg_proof_init": [_ANY, _SIZE],
+    "critreg_region_implies": [_ANY, _ANY, _ANY, _ANY, _ANY, _ANY],
     "critreg_region_to_c": [_ANY, _TEXT, *_BUFFER],
     "critreg_region_intervals": [_ANY, _ANY, _ANY, _SIZE, _ANY],
     "critreg_region_is_empty": [_ANY, _ANY, _ANY],

@@ -20,7 +20,7 @@ from ._library import (
     text_of,
 )
 from ._numbers import flags_of, matrix, rows_of, vector
-from ._structs import MAX_INTERVALS, ConstraintStruct, RngStruct
+from ._structs import MAX_INTERVALS, ConstraintStruct, ProofStruct, RngStruct
 from .domain import Domain, as_domain
 
 if TYPE_CHECKING:
@@ -38,6 +38,36 @@ class Quality(IntEnum):
     """It is wrong about some answers; the report estimates how good it is."""
     EXACT = 3
     """It agrees with all answers, but for a few strays that the report counts."""
+
+
+class Verdict(IntEnum):
+    """Whether a region satisfies a specification."""
+
+    UNDECIDED = 0
+    """Neither a proof nor a counterexample was found."""
+    PROVEN = 1
+    """It does, in all instances in the ranges and with all parameters."""
+    REFUTED = 2
+    """It does not: there is a counterexample."""
+
+
+class Proof(NamedTuple):
+    """The answer of `Region.implies`."""
+
+    verdict: Verdict
+    """Proven, refuted or undecided."""
+    statement: int
+    """If it is not proven: which of the statements that "and" joins is not, from 0."""
+    instance: Optional[list[float]]
+    """If it is refuted: an instance,"""
+    theta: Optional[list[float]]
+    """and parameters that are in the region and not in the specification."""
+    open: float
+    """If it is undecided: the share of the cases that is open."""
+    too_fine: bool
+    """If it is undecided: whether more boxes do not help."""
+    boxes: int
+    """How many boxes were examined."""
 
 
 class Rng:
@@ -190,6 +220,41 @@ class Region:
         values, gradients = (c_double * count)(), (c_double * (count * self._parameters))()
         check(library.critreg_region_margins(self._handle, place, sample, values, gradients))
         return list(values), rows_of(gradients, self._parameters, count)
+
+    def implies(
+        self,
+        specification: Region,
+        ranges: Matrix,
+        max_boxes: Optional[int] = None,
+        tolerance: Optional[float] = None,
+    ) -> Proof:
+        """Whether all that the region admits satisfies a specification, a region of the same
+        domain, in every instance whose numbers are in `ranges`: a lower and an upper end for
+        each."""
+        ends, count = matrix(ranges, 2, "ranges")
+        if count != self._instance_len:
+            raise ValueError(f"ranges: {count} of them, where {self._instance_len} are wanted")
+        proof = made(ProofStruct, library.critreg_proof_init)
+        if max_boxes is not None:
+            proof.max_boxes = checked_id(max_boxes, "max_boxes", 32)
+        if tolerance is not None:
+            proof.tolerance = tolerance
+        instance, theta = (c_double * count)(), (c_double * self._parameters)()
+        check(
+            library.critreg_region_implies(
+                self._handle, specification._handle, ends, byref(proof), instance, theta
+            )
+        )
+        refuted = proof.verdict == Verdict.REFUTED
+        return Proof(
+            Verdict(proof.verdict),
+            proof.statement,
+            list(instance) if refuted else None,
+            list(theta) if refuted else None,
+            proof.open,
+            proof.too_fine == 1,
+            proof.boxes,
+        )
 
     def to_c(self, name: str) -> str:
         """The region as C that needs no library, in functions whose names begin with this."""

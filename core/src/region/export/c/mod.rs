@@ -42,9 +42,7 @@ impl Region {
         name: &str,
         out: &mut dyn fmt::Write,
     ) -> Result<(), Error> {
-        if domain.fingerprint() != self.fingerprint {
-            return Err(Error::Mismatch("the region belongs to another domain text"));
-        }
+        self.check_domain(domain)?;
         if !is_name(name) {
             return Err(Error::InvalidArgument(
                 "a name in C has up to 64 letters, digits and _, and begins with no digit",
