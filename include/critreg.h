@@ -3422,7 +3422,7 @@ critreg_status critreg_proof_init(struct critreg_proof *proof, size_t size);
  * critreg_proof_init(&proof, sizeof proof);
  * critreg_region_implies(region, specification, ranges, &proof, instance, theta);
  * if (proof.verdict == CRITREG_REFUTED)
- *     try_it(instance, theta);    /* in the region, and not as specified */
+ *     try_it(instance, theta);
  * ```
  *
  * A proof is one in real arithmetic (rounding is outward), up to proof.tolerance. A
@@ -3456,6 +3456,49 @@ critreg_status critreg_region_implies(const struct critreg_region *region,
                                       struct critreg_proof *proof,
                                       double *instance,
                                       double *theta);
+
+/**
+ * How many questions for another prover a specification is, see critreg_region_to_smt2():
+ * one for each statement that it joins by "and", and for each member of a group that this
+ * is about.
+ *
+ * @param specification The specification.
+ * @param count Receives how many there are; 0 for "true".
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_question_count(const struct critreg_region *specification,
+                                             size_t *count);
+
+/**
+ * Writes one of the questions of critreg_region_implies() as SMT-LIB 2, for another prover:
+ * z3 and its like answer "unsat" if the region satisfies this part of the specification in
+ * all instances in the ranges, up to the tolerance. "sat" is a counterexample, if the
+ * angles that the model stands for are in their ranges.
+ *
+ * Numbers are reals, written as the shortest decimals; an angle is a point of the unit
+ * circle, a distance a number with a square. Angles between what moves are not said. A
+ * prover may take for ever where something turns; critreg_region_implies() mostly does not.
+ *
+ * @param region The region.
+ * @param specification What it has to satisfy.
+ * @param ranges A lower and an upper end for each number of an instance.
+ * @param proof NULL for defaults, or a struct from critreg_proof_init() with the tolerance.
+ * @param number Which question, from 0; see critreg_region_question_count().
+ * @param text Receives the script, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_INVALID_ARGUMENT for a
+ * number that no question has; all others as critreg_region_implies().
+ */
+critreg_status critreg_region_to_smt2(const struct critreg_region *region,
+                                      const struct critreg_region *specification,
+                                      const double *ranges,
+                                      const struct critreg_proof *proof,
+                                      size_t number,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
 
 /**
  * Writes a region as C99 that needs no library: a header with static inline functions,

@@ -202,7 +202,7 @@ public:
                                                   Numbers ranges, critreg_proof proof,
                                                   Room instance, Room theta) const {
         const Failure failure = detail::first(
-            [&] { return detail::fits(ranges.size(), 2 * instance_len(), "ranges"); },
+            detail::fits(ranges.size(), 2 * instance_len(), "ranges"),
             [&] { return detail::fits(instance.size(), instance_len(), "instance"); },
             [&] { return fits_theta(theta.size()); },
             [&] {
@@ -217,6 +217,27 @@ public:
         critreg_proof proof;
         (void)critreg_proof_init(&proof, sizeof proof);
         return proof;
+    }
+
+    /** The questions of implies() as SMT-LIB 2, for another prover: one for each statement of
+     *  the specification, and for each member of a group that this is about. */
+    [[nodiscard]] Returned<std::vector<std::string>>
+    to_smt2(const BasicRegion &specification, Numbers ranges,
+            critreg_proof proof = default_proof()) const {
+        std::vector<std::string> questions;
+        std::size_t count = 0;
+        Failure failure = detail::first(
+            detail::fits(ranges.size(), 2 * instance_len(), "ranges"),
+            [&] { return critreg_region_question_count(specification.handle(), &count); });
+        questions.resize(failure ? 0 : count);
+        for (std::size_t number = 0; !failure && number < count; number++)
+            failure = Failure(detail::fill_text(
+                questions[number], [&](char *into, std::size_t len, std::size_t *needed) {
+                    return critreg_region_to_smt2(handle(), specification.handle(),
+                                                  ranges.data(), &proof, number, into, len,
+                                                  needed);
+                }));
+        return Errors::give(failure, [&] { return std::move(questions); });
     }
 
     /** The region as C that needs no library, in functions whose names begin with name. */

@@ -36,6 +36,8 @@ int main(void)
     const critreg_region *other = parsed(2, DOMAIN, "reach <= 1");
     critreg_proof proof = fresh();
     double instance[10], theta[2], ranges[20];
+    static char text[16384];
+    size_t count, number, needed;
     int32_t inside;
     OK(critreg_region_implies(safe, clear, RANGES, &proof, instance, theta));
     EXPECT_TRUE(proof.verdict == CRITREG_PROVEN && proof.boxes >= 4);
@@ -46,6 +48,21 @@ int main(void)
     EXPECT_TRUE(inside == 1);
     OK(critreg_region_contains(safe, instance, theta, &inside));
     EXPECT_TRUE(inside == 0);
+
+    OK(critreg_region_question_count(clear, &count));
+    EXPECT_TRUE(count == 4);
+    for (number = 0; number < count; number++) {
+        OK(critreg_region_to_smt2(safe, clear, RANGES, NULL, number, text, sizeof text, &needed));
+        EXPECT_TRUE(strlen(text) + 1 == needed && strstr(text, "(check-sat)"));
+    }
+    EXPECT_TRUE(strstr(text, "|post[2].x|") != NULL);
+    EXPECT(CRITREG_TOO_SMALL,
+           critreg_region_to_smt2(safe, clear, RANGES, &proof, 0, text, 100, &needed));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_region_to_smt2(safe, clear, RANGES, &proof, 4, text, sizeof text, &needed));
+    EXPECT(CRITREG_NULL_POINTER, critreg_region_question_count(clear, NULL));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_region_to_smt2(safe, clear, NULL, &proof, 0, text, sizeof text, &needed));
 
     proof.max_boxes = 0;
     OK(critreg_region_implies(clear, safe, RANGES, &proof, instance, theta));

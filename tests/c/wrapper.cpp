@@ -77,6 +77,8 @@ static void views() {
     critreg_proof proof =
         region.implies(region, ranges, critreg::Region::default_proof(), where, how);
     EXPECT_TRUE(proof.verdict == CRITREG_PROVEN);
+    const std::vector<std::string> questions = region.to_smt2(region, ranges);
+    EXPECT_TRUE(!questions.empty() && questions[0].find("(check-sat)") != std::string::npos);
     EXPECT_TRUE(region.to_c("reach").find("reach_contains") != std::string::npos);
     critreg::Rng many(3);
     double drawn[5] = {9.0, 9.0, 9.0, 9.0, 9.0};

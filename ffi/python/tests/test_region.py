@@ -45,6 +45,8 @@ class Regions(unittest.TestCase):
         self.assertEqual(proof.verdict, critreg.Verdict.REFUTED)
         self.assertTrue(wider.contains(proof.instance, proof.theta))
         self.assertFalse(self.region.contains(proof.instance, proof.theta))
+        (question,) = wider.to_smt2(self.region, ranges)
+        self.assertIn("(check-sat)", question)
         with self.assertRaises(critreg.Error):
             wider.implies(self.region, ranges, tolerance=-1.0)
 

@@ -137,3 +137,12 @@ pub(crate) unsafe fn write_bytes(
     };
     save(room).map(|_| ())
 }
+
+/// Takes any text.
+pub(crate) struct Nowhere;
+
+impl fmt::Write for Nowhere {
+    fn write_str(&mut self, _: &str) -> fmt::Result {
+        Ok(())
+    }
+}

@@ -3,7 +3,7 @@
 use crate::boundary::handle;
 use crate::boundary::pointer;
 use crate::boundary::status::{Failure, critreg_status};
-use crate::boundary::text;
+use crate::boundary::text::{self, Nowhere};
 use crate::region::handle::critreg_region;
 use core::ffi::c_char;
 use core::fmt;
@@ -28,15 +28,6 @@ impl Export<'_> {
 impl fmt::Display for Export<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write(f).map_err(|_| fmt::Error)
-    }
-}
-
-/// Takes any text.
-struct Nowhere;
-
-impl fmt::Write for Nowhere {
-    fn write_str(&mut self, _: &str) -> fmt::Result {
-        Ok(())
     }
 }
 

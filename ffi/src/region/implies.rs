@@ -1,11 +1,15 @@
 //! Whether a region satisfies a specification, in all instances at once.
 
 use crate::boundary::handle;
-use crate::boundary::pointer::{self, OutputArray};
+use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::status::{Failure, critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
+use crate::boundary::text::{self, Nowhere};
 use crate::region::handle::critreg_region;
+use core::ffi::c_char;
+use core::fmt;
 use core::mem::offset_of;
+use critreg_core::Error;
 use critreg_core::region::{Limit, ProofConfig, Verdict};
 
 /// In a critreg_proof: neither a proof nor a counterexample was found.
@@ -59,6 +63,13 @@ impl critreg_proof {
             statement: 0,
             boxes: 0,
             open: 0.0,
+        }
+    }
+
+    fn config(&self) -> ProofConfig {
+        ProofConfig {
+            boxes: self.max_boxes,
+            tolerance: self.tolerance,
         }
     }
 }
@@ -140,10 +151,7 @@ pub unsafe extern "C" fn critreg_region_implies(
                 &specification.region,
                 handle.domain,
                 ranges.as_chunks().0,
-                ProofConfig {
-                    boxes: answer.max_boxes,
-                    tolerance: answer.tolerance,
-                },
+                answer.config(),
                 instance,
             )?;
             let too_many = Failure::invalid("a specification has more statements than are counted");
@@ -164,6 +172,106 @@ pub unsafe extern "C" fn critreg_region_implies(
                 }
             };
             structs::write(answer, proof, "proof")
+        })
+    }
+}
+
+/// A question, to be written.
+struct Question<'r> {
+    regions: [&'r critreg_region; 2],
+    ranges: &'r [[f64; 2]],
+    config: ProofConfig,
+    number: usize,
+}
+
+impl Question<'_> {
+    fn write(&self, out: &mut dyn fmt::Write) -> Result<(), Error> {
+        let [region, specification] = self.regions;
+        let which = (self.config, self.number);
+        let specification = &specification.region;
+        let own = &region.region;
+        own.write_smt2(specification, region.domain, self.ranges, which, out)
+    }
+}
+
+impl fmt::Display for Question<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f).map_err(|_| fmt::Error)
+    }
+}
+
+/// How many questions for another prover a specification is, see critreg_region_to_smt2():
+/// one for each statement that it joins by "and", and for each member of a group that this
+/// is about.
+///
+/// @param specification The specification.
+/// @param count Receives how many there are; 0 for "true".
+/// @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_region_question_count(
+    specification: *const critreg_region,
+    count: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        handle::read(specification, |handle| {
+            let output = Output::new(count, "count")?;
+            output.write(handle.region.question_count(handle.domain)?);
+            Ok(())
+        })
+    }
+}
+
+/// Writes one of the questions of critreg_region_implies() as SMT-LIB 2, for another prover:
+/// z3 and its like answer "unsat" if the region satisfies this part of the specification in
+/// all instances in the ranges, up to the tolerance. "sat" is a counterexample, if the
+/// angles that the model stands for are in their ranges.
+///
+/// Numbers are reals, written as the shortest decimals; an angle is a point of the unit
+/// circle, a distance a number with a square. Angles between what moves are not said. A
+/// prover may take for ever where something turns; critreg_region_implies() mostly does not.
+///
+/// @param region The region.
+/// @param specification What it has to satisfy.
+/// @param ranges A lower and an upper end for each number of an instance.
+/// @param proof NULL for defaults, or a struct from critreg_proof_init() with the tolerance.
+/// @param number Which question, from 0; see critreg_region_question_count().
+/// @param text Receives the script, ended by NUL.
+/// @param len Length of text in bytes; 0 to ask for the length only.
+/// @param needed NULL, or receives the length of the text with its NUL, also if the buffer
+/// is too small.
+/// @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_INVALID_ARGUMENT for a
+/// number that no question has; all others as critreg_region_implies().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn critreg_region_to_smt2(
+    region: *const critreg_region,
+    specification: *const critreg_region,
+    ranges: *const f64,
+    proof: *const critreg_proof,
+    number: usize,
+    text: *mut c_char,
+    len: usize,
+    needed: *mut usize,
+) -> critreg_status {
+    // SAFETY: the header makes it the caller's promise, for all.
+    unsafe {
+        handle::read(region, |region| {
+            let specification = handle::open(specification)?;
+            let defaults = critreg_proof::new(ProofConfig::default());
+            let config = match proof.is_null() {
+                true => defaults,
+                false => structs::read(proof, defaults, "proof")?,
+            };
+            let ranges = pointer::slice(ranges, 2 * region.domain.instance_len(), "ranges")?;
+            let question = Question {
+                regions: [region, specification],
+                ranges: ranges.as_chunks().0,
+                config: config.config(),
+                number,
+            };
+            // What cannot be written is known before anything is.
+            question.write(&mut Nowhere)?;
+            text::write(&question, text, len, needed)
         })
     }
 }

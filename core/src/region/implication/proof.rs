@@ -194,6 +194,12 @@ impl<'p> Proof<'p> {
         Ok(())
     }
 
+    /// The terms of all constraints.
+    pub(super) fn margins(&self) -> impl Iterator<Item = Place> + '_ {
+        let margins = self.of_region.iter().chain(&self.of_statement);
+        margins.copied().flatten()
+    }
+
     /// The box of all that is given; `None` if what the obligation is about is not there.
     pub(super) fn corners(&self) -> Option<Corners> {
         let mut corners = Corners::new();

@@ -9,6 +9,7 @@ use super::{Obligation, ProofConfig, Region, check};
 use crate::domain::{Domain, Range};
 use crate::error::Error;
 use crate::grammar::{Formula, MAX_FORMULA_STEPS, Step};
+use crate::real::Real;
 use crate::region::program::Operand;
 use crate::text::write_number;
 use core::fmt;
@@ -16,6 +17,9 @@ use heapless::{String, Vec};
 
 /// Room for a number in decimal digits.
 const DIGITS: usize = 40;
+
+/// Sines are written in steps of one by this.
+const DIGIT: f64 = 1e9;
 
 const AN_ANGLE: Error = Error::InvalidArgument(
     "SMT-LIB has no angles between what moves; say it by coordinates, or prove it without",
@@ -89,8 +93,11 @@ impl Script<'_, '_> {
         if !self.proof.tape.has_sizes(&ranges) {
             return Err(super::proof::NO_SIZE);
         }
+        let needed = self.proof.tape.needed(self.proof.margins());
         for (place, node) in (0..).zip(&self.proof.tape.nodes) {
-            self.node(place, *node, &corners, &ranges)?;
+            if needed.get(usize::from(place)) == Some(&true) {
+                self.node(place, *node, &corners, &ranges)?;
+            }
         }
         let region = self.proof.region.formula();
         let statement = &self.proof.obligation.formula;
@@ -152,17 +159,33 @@ impl Script<'_, '_> {
             Node::Greatest(a, b) => self.choose(place, ">=", [a, b], "", false),
             Node::Root(a) => {
                 self.declare(place)?;
-                self.between(place, Range { low: 0.0, ..own })?;
-                self.equal(&[(place, place)], a)
+                self.between(
+                    place,
+                    Range {
+                        low: 0.0,
+                        high: f64::INFINITY,
+                    },
+                )?;
+                self.raw("(assert (= ")?;
+                self.define_inline("(*", &[place, place])?;
+                writeln!(self.out, " t{a}))").map_err(full)
+            }
+            Node::Sine(a) | Node::Cosine(a) if is_fixed(range_of(ranges, a)) => {
+                self.begin(place)?;
+                self.number(snapped(own.low + 0.5 * (own.high - own.low)))?;
+                self.raw(")\n")
             }
             // The cosine follows its sine.
-            Node::Sine(_) => self.declare(place).and_then(|()| self.between(place, own)),
+            Node::Sine(_) => self
+                .declare(place)
+                .and_then(|()| self.between(place, loose(own))),
             Node::Cosine(_) => {
                 self.declare(place)?;
-                self.between(place, own)?;
+                self.between(place, loose(own))?;
                 let sine = place.saturating_sub(1);
                 self.raw("(assert (= (+")?;
                 for term in [sine, place] {
+                    self.raw(" ")?;
                     self.define_inline("(*", &[term, term])?;
                 }
                 self.raw(") 1.0))\n")
@@ -219,16 +242,6 @@ impl Script<'_, '_> {
 
     fn declare(&mut self, place: Place) -> Result<(), Error> {
         writeln!(self.out, "(declare-const t{place} Real)").map_err(full)
-    }
-
-    /// Asserts that a product is a term.
-    fn equal(&mut self, factors: &[(Place, Place)], term: Place) -> Result<(), Error> {
-        self.raw("(assert (=")?;
-        for (a, b) in factors {
-            self.raw(" ")?;
-            self.define_inline("(*", &[*a, *b])?;
-        }
-        writeln!(self.out, " t{term}))").map_err(full)
     }
 
     /// Asserts that a node is in a range.
@@ -374,6 +387,29 @@ impl Script<'_, '_> {
         write!(self.out, "({comparison} t{margin} ").map_err(full)?;
         self.number(tolerance)?;
         self.raw(if in_part { ")))\n" } else { "))\n" })
+    }
+}
+
+/// Whether there is one number in a range.
+fn is_fixed(own: Range<f64>) -> bool {
+    own.low == own.high
+}
+
+/// A sine or cosine as one means it: that of half of pi is one.
+fn snapped(number: f64) -> f64 {
+    (number * DIGIT + 0.5).floor() / DIGIT
+}
+
+/// A range of sines in few digits, that is no narrower but for what [`snapped`] leaves out.
+fn loose(own: Range<f64>) -> Range<f64> {
+    let end = |end: f64, outward: f64| match (end - snapped(end)).abs() * DIGIT < 0.01 {
+        true => snapped(end),
+        false => snapped(end + outward),
+    };
+    let (low, high) = (end(own.low, -1.0 / DIGIT), end(own.high, 1.0 / DIGIT));
+    Range {
+        low: if low <= -1.0 { -f64::INFINITY } else { low },
+        high: if high >= 1.0 { f64::INFINITY } else { high },
     }
 }
 

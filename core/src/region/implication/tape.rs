@@ -57,7 +57,7 @@ pub(super) type Corners = Vec<Range<f64>, { MAX_VARIABLES + MAX_CUTS }>;
 
 impl Node {
     /// The same of other operands.
-    pub(super) fn with_operands(self, of: impl Fn(Place) -> Place) -> Node {
+    pub(super) fn with_operands(self, mut of: impl FnMut(Place) -> Place) -> Node {
         match self {
             Node::Cut(index, a) => Node::Cut(index, of(a)),
             Node::Sum(a, b) => Node::Sum(of(a), of(b)),
@@ -129,6 +129,36 @@ impl Tape {
                 self.push(Node::Variable(index))
             }
         }
+    }
+
+    /// Which nodes some of them are made of; a cosine has its sine beside it.
+    pub(super) fn needed(&self, ends: impl Iterator<Item = Place>) -> Vec<bool, MAX_NODES> {
+        let mut needed: Vec<bool, MAX_NODES> = Vec::new();
+        // There is as much room as there is for nodes.
+        let _ = needed.resize(self.nodes.len(), false);
+        let need = |needed: &mut Vec<bool, MAX_NODES>, place: Place| {
+            if let Some(own) = needed.get_mut(usize::from(place)) {
+                *own = true;
+            }
+        };
+        for end in ends {
+            need(&mut needed, end);
+        }
+        for (place, node) in self.nodes.iter().enumerate().rev() {
+            if needed.get(place) != Some(&true) {
+                continue;
+            }
+            if let Node::Cosine(_) = node
+                && let Ok(place) = Place::try_from(place)
+            {
+                need(&mut needed, place.saturating_sub(1));
+            }
+            let _ = node.with_operands(&mut |operand| {
+                need(&mut needed, operand);
+                operand
+            });
+        }
+        needed
     }
 
     /// Whether all sizes of bodies are above zero.

@@ -77,6 +77,8 @@ ARGUMENTS: dict[str, list[Any]] = {
     "critreg_region_margins": [_ANY, _ANY, _ANY, _ANY, _ANY],
     "critreg_proof_init": [_ANY, _SIZE],
     "critreg_region_implies": [_ANY, _ANY, _ANY, _ANY, _ANY, _ANY],
+    "critreg_region_question_count": [_ANY, _ANY],
+    "critreg_region_to_smt2": [_ANY, _ANY, _ANY, _ANY, _SIZE, *_BUFFER],
     "critreg_region_to_c": [_ANY, _TEXT, *_BUFFER],
     "critreg_region_intervals": [_ANY, _ANY, _ANY, _SIZE, _ANY],
     "critreg_region_is_empty": [_ANY, _ANY, _ANY],

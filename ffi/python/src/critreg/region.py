@@ -256,6 +256,21 @@ class Region:
             proof.boxes,
         )
 
+    def to_smt2(
+        self, specification: Region, ranges: Matrix, tolerance: Optional[float] = None
+    ) -> list[str]:
+        """The questions of `implies` as SMT-LIB 2, for another prover, which answers "unsat"
+        to each if the region satisfies the specification."""
+        ends, count = matrix(ranges, 2, "ranges")
+        if count != self._instance_len:
+            raise ValueError(f"ranges: {count} of them, where {self._instance_len} are wanted")
+        proof = made(ProofStruct, library.critreg_proof_init)
+        if tolerance is not None:
+            proof.tolerance = tolerance
+        number = out(c_size_t, library.critreg_region_question_count, specification._handle)
+        given = self._handle, specification._handle, ends, byref(proof)
+        return [text_of(library.critreg_region_to_smt2, *given, k) for k in range(number)]
+
     def to_c(self, name: str) -> str:
         """The region as C that needs no library, in functions whose names begin with this."""
         return text_of(library.critreg_region_to_c, self._handle, encoded(name))
