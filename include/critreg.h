@@ -72,6 +72,7 @@
  *     writing and saving regions and learners                                             4 KiB
  *     critreg_sample_region()                                                            12 KiB
  *     critreg_sample_regions(), critreg_region_contains(), critreg_region_intervals()    28 KiB
+ *     critreg_region_implies(), critreg_learner_challenge(), critreg_region_to_smt2()     96 KiB
  *     critreg_check_domain()                                                             24 KiB
  *     critreg_check_region()                                                             32 KiB
  *     critreg_plan()                                                                     56 KiB
@@ -3499,6 +3500,44 @@ critreg_status critreg_region_to_smt2(const struct critreg_region *region,
                                       char *text,
                                       size_t len,
                                       size_t *needed);
+
+/**
+ * Whether the region that a learner has satisfies a specification, as
+ * critreg_region_implies(): if not, the counterexample is what to try next.
+ *
+ * So learning goes on until the region is proven, or the proof says what is open: append
+ * the instance to those of the learner, try the parameters there, and tell what came of it.
+ *
+ * ```c
+ * critreg_learn_region(learner, instances, count, try, user_data, &region);
+ * while (critreg_learner_challenge(learner, specification, ranges, &proof, next, theta)
+ *        == CRITREG_OK && proof.verdict == CRITREG_REFUTED && count < room) {
+ *     memcpy(&instances[count * len], next, len * sizeof *next);
+ *     outcome = try_it(next, theta);
+ *     critreg_observe(learner, instances, count + 1, count, theta, outcome);
+ *     critreg_conclude(learner, instances, ++count);
+ * }
+ * ```
+ *
+ * If the action works there after all, the specification asks for too much. The learner
+ * needs room for the instances and observations that come to it.
+ *
+ * @param learner The learner.
+ * @param specification What the region has to satisfy: a region of the same domain text.
+ * @param ranges A lower and an upper end for each number of an instance.
+ * @param proof From critreg_proof_init(); what it may cost is read, what was found is
+ * written.
+ * @param instance Receives the instance of a counterexample.
+ * @param theta Receives its parameters; NULL if the action has none.
+ * @return CRITREG_NO_REGION if nothing is learned; CRITREG_BUSY; all others as
+ * critreg_region_implies().
+ */
+critreg_status critreg_learner_challenge(struct critreg_learner *learner,
+                                         const struct critreg_region *specification,
+                                         const double *ranges,
+                                         struct critreg_proof *proof,
+                                         double *instance,
+                                         double *theta);
 
 /**
  * Writes a region as C99 that needs no library: a header with static inline functions,

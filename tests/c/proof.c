@@ -28,6 +28,38 @@ static critreg_proof fresh(void)
     return proof;
 }
 
+/* From one wall a learner cannot tell what depends on the wall; counterexamples show it. */
+static void challenge(void)
+{
+    static uint64_t words[CRITREG_LEARNER_WORDS(1024, 256)];
+    static const double ranges[4] = {0.5, 3.0, 0.0, 0.0};
+    const critreg_region *specification = parsed(2, DOMAIN, "hand.x + hand.radius <= wall.x");
+    const critreg_region *region;
+    critreg_config config = reach_config();
+    critreg_learner *learner;
+    critreg_proof proof = fresh();
+    critreg_outcome outcome;
+    double walls[2 * 16] = {1.0, 0.0}, theta[1];
+    size_t count = 1;
+    OK(critreg_learner_init(words, sizeof words, DOMAIN, &config, &learner));
+    EXPECT(CRITREG_NO_REGION, critreg_learner_challenge(learner, specification, ranges, &proof,
+                                                        &walls[2], theta));
+    OK(critreg_learn_region(learner, walls, count, reach, NULL, &region));
+    while (critreg_learner_challenge(learner, specification, ranges, &proof, &walls[2 * count],
+                                     theta) == CRITREG_OK &&
+           proof.verdict == CRITREG_REFUTED && count < 15) {
+        OK(reach(NULL, &walls[2 * count], theta, &outcome));
+        OK(critreg_observe(learner, walls, count + 1, count, theta, outcome));
+        count++;
+        OK(critreg_conclude(learner, walls, count));
+    }
+    EXPECT_TRUE(proof.verdict == CRITREG_PROVEN && count > 1 && count < 8);
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_learner_challenge(learner, NULL, ranges, &proof, &walls[2], theta));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_learner_challenge(NULL, specification, ranges, &proof, &walls[2], theta));
+}
+
 int main(void)
 {
     const critreg_region *safe = parsed(0, ROOM, "min(clear(robot, post)) >= 0.02 and px <= door.x");
@@ -87,5 +119,6 @@ int main(void)
     proof.tolerance = 0.0;
     EXPECT(CRITREG_INVALID_ARGUMENT,
            critreg_region_implies(safe, clear, RANGES, &proof, instance, theta));
+    challenge();
     return summary();
 }

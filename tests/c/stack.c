@@ -201,7 +201,7 @@ int main(void)
         {"region_load", load, 8 * KIB},              {"region_format", format, 4 * KIB},
         {"sample_region", draw, 12 * KIB},            {"sample_regions", draw_from_several, 28 * KIB},
         {"contains, is_empty, intervals", look, 28 * KIB},
-        {"region_implies", prove, 64 * KIB},
+        {"region_implies", prove, 96 * KIB},
         {"check_domain", check_domain, 24 * KIB},     {"check_region", check_region, 32 * KIB},
         {"check_pddl", check_pddl, 320 * KIB},         {"planner_measure", measure, 320 * KIB},
         {"planner_init", planner_init, 192 * KIB},     {"plan", plan, 56 * KIB},

@@ -171,6 +171,11 @@ static void progress() {
     EXPECT_TRUE(calls == 10 && configured == 10);
     learner.learn(walls, works);
     EXPECT_TRUE(calls == 10 && configured == 100);
+    double where[2], how[1];
+    const critreg_proof proof = learner.challenge(
+        critreg::Region::parse(DOMAIN, "hand.x <= wall.x"), {0.5, 3.0, 0.0, 0.0},
+        critreg::Region::default_proof(), where, how);
+    EXPECT_TRUE(proof.verdict == CRITREG_PROVEN);
     try {
         new_learner().learn(walls, works, [](const critreg_report &) -> Status { throw 3; });
         EXPECT_TRUE(false);

@@ -2,7 +2,7 @@
 
 use crate::boundary::handle;
 use crate::boundary::pointer::{self, Output, OutputArray};
-use crate::boundary::status::{Failure, critreg_status, status_of};
+use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
 use crate::boundary::text::{self, Nowhere};
 use crate::region::handle::critreg_region;
@@ -10,7 +10,8 @@ use core::ffi::c_char;
 use core::fmt;
 use core::mem::offset_of;
 use critreg_core::Error;
-use critreg_core::region::{Limit, ProofConfig, Verdict};
+use critreg_core::domain::Domain;
+use critreg_core::region::{Limit, ProofConfig, Region, Verdict};
 
 /// In a critreg_proof: neither a proof nor a counterexample was found.
 pub const CRITREG_UNDECIDED: u32 = 0;
@@ -140,39 +141,71 @@ pub unsafe extern "C" fn critreg_region_implies(
     // SAFETY: the header makes it the caller's promise, for all.
     unsafe {
         handle::read(region, |handle| {
-            let specification = handle::open(specification)?;
-            let defaults = ProofConfig::default();
-            let mut answer = structs::read(proof, critreg_proof::new(defaults), "proof")?;
-            let count = handle.domain.instance_len();
-            let ranges = pointer::slice(ranges, 2 * count, "ranges")?;
-            let theta = OutputArray::new(theta, handle.domain.parameters().len(), "theta")?;
-            let instance = pointer::numbers(instance, count, "instance")?;
-            let found = handle.region.implies(
-                &specification.region,
-                handle.domain,
-                ranges.as_chunks().0,
-                answer.config(),
-                instance,
-            )?;
-            let too_many = Failure::invalid("a specification has more statements than are counted");
-            answer.statement = u32::try_from(found.statement).map_err(|_| too_many)?;
-            answer.boxes = found.boxes;
-            answer.open = 0.0;
-            answer.too_fine = 0;
-            answer.verdict = match found.verdict {
-                Verdict::Proven => CRITREG_PROVEN,
-                Verdict::Refuted { theta: found } => {
-                    theta.write(&found);
-                    CRITREG_REFUTED
-                }
-                Verdict::Undecided { open, limit } => {
-                    answer.open = open;
-                    answer.too_fine = u32::from(limit == Limit::Halvings);
-                    CRITREG_UNDECIDED
-                }
+            let claim = Claim {
+                region: &handle.region,
+                specification: handle::open(specification)?,
+                domain: handle.domain,
             };
-            structs::write(answer, proof, "proof")
+            claim.prove(ranges, proof, instance, theta)
         })
+    }
+}
+
+/// That a region satisfies a specification.
+pub(crate) struct Claim<'r> {
+    pub(crate) region: &'r Region,
+    pub(crate) specification: &'r critreg_region,
+    pub(crate) domain: &'r Domain<'r>,
+}
+
+impl Claim<'_> {
+    /// Proves or refutes it.
+    ///
+    /// # Safety
+    /// As for [`critreg_region_implies`].
+    pub(crate) unsafe fn prove(
+        &self,
+        ranges: *const f64,
+        proof: *mut critreg_proof,
+        instance: *mut f64,
+        theta: *mut f64,
+    ) -> Fallible {
+        let defaults = critreg_proof::new(ProofConfig::default());
+        let (instances, parameters) = (self.domain.instance_len(), self.domain.parameters().len());
+        // SAFETY: by this function's contract, for all.
+        let (mut answer, ranges, theta, instance) = unsafe {
+            (
+                structs::read(proof, defaults, "proof")?,
+                pointer::slice(ranges, 2 * instances, "ranges")?,
+                OutputArray::new(theta, parameters, "theta")?,
+                pointer::numbers(instance, instances, "instance")?,
+            )
+        };
+        let found = self.region.implies(
+            &self.specification.region,
+            self.domain,
+            ranges.as_chunks().0,
+            answer.config(),
+            instance,
+        )?;
+        let too_many = Failure::invalid("a specification has more statements than are counted");
+        answer.statement = u32::try_from(found.statement).map_err(|_| too_many)?;
+        answer.boxes = found.boxes;
+        (answer.open, answer.too_fine) = (0.0, 0);
+        answer.verdict = match found.verdict {
+            Verdict::Proven => CRITREG_PROVEN,
+            Verdict::Refuted { theta: found } => {
+                theta.write(&found);
+                CRITREG_REFUTED
+            }
+            Verdict::Undecided { open, limit } => {
+                answer.open = open;
+                answer.too_fine = u32::from(limit == Limit::Halvings);
+                CRITREG_UNDECIDED
+            }
+        };
+        // SAFETY: by this function's contract.
+        unsafe { structs::write(answer, proof, "proof") }
     }
 }
 

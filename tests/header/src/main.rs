@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 42] = [
+const SOURCES: [&str; 43] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",
@@ -28,6 +28,7 @@ const SOURCES: [&str; 42] = [
     "region/many.rs",
     "region/margins.rs",
     "region/implies.rs",
+    "learner/challenge.rs",
     "region/export.rs",
     "boundary/rng.rs",
     "planner/config.rs",

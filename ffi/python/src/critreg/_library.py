@@ -52,6 +52,7 @@ ARGUMENTS: dict[str, list[Any]] = {
     "critreg_open_questions": [_ANY, *_QUESTIONS],
     "critreg_is_finished": [_ANY, _ANY],
     "critreg_learner_region": [_ANY, _ANY],
+    "critreg_learner_challenge": [_ANY, _ANY, _ANY, _ANY, _ANY, _ANY],
     "critreg_learner_why": [_ANY, _ANY, *_BUFFER],
     "critreg_learner_report": [_ANY, _ANY],
     "critreg_learner_message": [_ANY, *_BUFFER],

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ctypes import addressof, byref, c_char_p, c_double, c_int32, c_size_t, c_uint8, c_uint32
 from ctypes import c_void_p, sizeof
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional, Sequence, Union
 
 from ._library import (
     check,
@@ -231,29 +231,8 @@ class Region:
         """Whether all that the region admits satisfies a specification, a region of the same
         domain, in every instance whose numbers are in `ranges`: a lower and an upper end for
         each."""
-        ends, count = matrix(ranges, 2, "ranges")
-        if count != self._instance_len:
-            raise ValueError(f"ranges: {count} of them, where {self._instance_len} are wanted")
-        proof = made(ProofStruct, library.critreg_proof_init)
-        if max_boxes is not None:
-            proof.max_boxes = checked_id(max_boxes, "max_boxes", 32)
-        if tolerance is not None:
-            proof.tolerance = tolerance
-        instance, theta = (c_double * count)(), (c_double * self._parameters)()
-        check(
-            library.critreg_region_implies(
-                self._handle, specification._handle, ends, byref(proof), instance, theta
-            )
-        )
-        refuted = proof.verdict == Verdict.REFUTED
-        return Proof(
-            Verdict(proof.verdict),
-            proof.statement,
-            list(instance) if refuted else None,
-            list(theta) if refuted else None,
-            proof.open,
-            proof.too_fine == 1,
-            proof.boxes,
+        return proof_of(
+            library.critreg_region_implies, self._handle, specification, ranges, max_boxes, tolerance
         )
 
     def to_smt2(
@@ -311,6 +290,39 @@ class Region:
             )
         )
         return [(ends[2 * i], ends[2 * i + 1]) for i in range(count.value)]
+
+
+def proof_of(
+    function: Callable[..., int],
+    handle: c_void_p,
+    specification: Region,
+    ranges: Matrix,
+    max_boxes: Optional[int],
+    tolerance: Optional[float],
+    checked: Callable[[int], None] = check,
+) -> Proof:
+    """What a function that proves finds out about what a handle has learned."""
+    ends, count = matrix(ranges, 2, "ranges")
+    if count != specification._instance_len:
+        wanted = specification._instance_len
+        raise ValueError(f"ranges: {count} of them, where {wanted} are wanted")
+    proof = made(ProofStruct, library.critreg_proof_init)
+    if max_boxes is not None:
+        proof.max_boxes = checked_id(max_boxes, "max_boxes", 32)
+    if tolerance is not None:
+        proof.tolerance = tolerance
+    instance, theta = (c_double * count)(), (c_double * specification._parameters)()
+    checked(function(handle, specification._handle, ends, byref(proof), instance, theta))
+    refuted = proof.verdict == Verdict.REFUTED
+    return Proof(
+        Verdict(proof.verdict),
+        proof.statement,
+        list(instance) if refuted else None,
+        list(theta) if refuted else None,
+        proof.open,
+        proof.too_fine == 1,
+        proof.boxes,
+    )
 
 
 def _restored(data: bytes, constraints: tuple[Constraint, ...], quality: Quality) -> Region:
