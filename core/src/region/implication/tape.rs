@@ -7,7 +7,7 @@ use super::contraction::Empty;
 use super::outward::{self, EVERYTHING, point};
 use crate::domain::{Extreme, Quantity, Range};
 use crate::error::Error;
-use crate::region::program::{NOT_C, Operand, Operation, Program, Value};
+use crate::region::program::{NOT_C, Operand, Operation, Program, Value, dot};
 use heapless::Vec;
 
 /// Most terms of what is proven at once.
@@ -159,6 +159,18 @@ impl Tape {
             });
         }
         needed
+    }
+
+    /// Notes that two terms are equal.
+    fn identify(&mut self, a: Operand, b: Operand) -> Result<(), Error> {
+        let full = Error::CapacityExceeded("turned vectors in a proof");
+        let mut own = self;
+        for (a, b) in [(a, b), (b, a)] {
+            let difference = own.difference(a, b)?;
+            let place = own.place(difference)?;
+            own.identities.push(place).map_err(|_| full)?;
+        }
+        Ok(())
     }
 
     /// Whether all sizes of bodies are above zero.
@@ -360,16 +372,25 @@ impl Program for &mut Tape {
         }
     }
 
-    fn note_turned(&mut self, vector: [Value; 3], turned: [Value; 3]) -> Result<(), Error> {
+    /// Both have one length, and the vector is what its coordinates make of the axes.
+    fn note_turned(
+        &mut self,
+        vector: [Value; 3],
+        turned: [Value; 3],
+        axes: [[Value; 3]; 3],
+    ) -> Result<(), Error> {
         let (a, b) = (self.norm(vector)?.value, self.norm(turned)?.value);
         if a == b {
             return Ok(());
         }
-        for (a, b) in [(a, b), (b, a)] {
-            let difference = self.difference(a, b)?;
-            let place = self.place(difference)?;
-            let full = Error::CapacityExceeded("turned vectors in a proof: at most 32");
-            self.identities.push(place).map_err(|_| full)?;
+        self.identify(a, b)?;
+        let [[a0, a1, a2], [b0, b1, b2], [c0, c1, c2]] = axes;
+        let rows = [[a0, b0, c0], [a1, b1, c1], [a2, b2, c2]];
+        for (own, row) in vector.into_iter().zip(rows) {
+            let back = dot(self, turned, row)?;
+            if own.value != back.value {
+                self.identify(own.value, back.value)?;
+            }
         }
         let (a, b) = (self.place(a)?, self.place(b)?);
         // Without room, it is only known that both are equal.

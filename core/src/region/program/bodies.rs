@@ -231,7 +231,7 @@ impl<P: Program> Places<'_, P> {
         for (own, axis) in local.iter_mut().zip(body.axes).take(count) {
             *own = dot(&mut self.code, d, axis)?;
         }
-        self.code.note_turned(d, local)?;
+        self.code.note_turned(d, local, body.axes)?;
         Ok(local)
     }
 

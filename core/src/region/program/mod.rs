@@ -14,7 +14,7 @@ mod bodies;
 mod places;
 mod terms;
 
-pub(super) use places::{NOT_STRAIGHT, Places};
+pub(super) use places::{NOT_STRAIGHT, Places, dot};
 pub(super) use terms::Term;
 
 use crate::domain::{Extreme, MAX_PARAMETERS, Quantity};
@@ -107,8 +107,13 @@ pub(super) trait Program {
     /// Adds that a size of a body has to be above zero.
     fn require_positive(&mut self, size: Operand) -> Result<(), Error>;
 
-    /// Notes that two vectors are of one length, one being the other one turned.
-    fn note_turned(&mut self, _: [Value; 3], _: [Value; 3]) -> Result<(), Error> {
+    /// Notes that a vector is another one, turned into a frame with these axes.
+    fn note_turned(
+        &mut self,
+        _vector: [Value; 3],
+        _turned: [Value; 3],
+        _axes: [[Value; 3]; 3],
+    ) -> Result<(), Error> {
         Ok(())
     }
 

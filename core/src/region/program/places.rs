@@ -299,7 +299,11 @@ impl<'d, P: Program> Places<'d, P> {
 }
 
 /// The scalar product of two vectors.
-pub(super) fn dot(code: &mut impl Program, a: [Value; 3], b: [Value; 3]) -> Result<Value, Error> {
+pub(in crate::region) fn dot(
+    code: &mut impl Program,
+    a: [Value; 3],
+    b: [Value; 3],
+) -> Result<Value, Error> {
     let mut sum = Value::ZERO;
     for (a, b) in a.into_iter().zip(b) {
         let product = code.times(a, b)?;
