@@ -154,9 +154,12 @@ impl Script<'_, '_> {
             Node::Difference(a, b) => self.define(place, "(-", &[a, b]),
             Node::Product(a, b) => self.define(place, "(*", &[a, b]),
             Node::Square(a) => self.define(place, "(*", &[a, a]),
-            Node::Magnitude(a) => self.choose(place, ">=", [a, a], "0.0", true),
-            Node::Least(a, b) => self.choose(place, "<=", [a, b], "", false),
-            Node::Greatest(a, b) => self.choose(place, ">=", [a, b], "", false),
+            Node::Magnitude(a) => {
+                self.begin(place)?;
+                writeln!(self.out, "(ite (>= t{a} 0.0) t{a} (- t{a})))").map_err(full)
+            }
+            Node::Least(a, b) => self.choose(place, "<=", [a, b]),
+            Node::Greatest(a, b) => self.choose(place, ">=", [a, b]),
             Node::Root(a) => {
                 self.declare(place)?;
                 self.between(
@@ -218,26 +221,10 @@ impl Script<'_, '_> {
         self.raw(")")
     }
 
-    /// Defines a node as one of two terms, or as a term or its opposite.
-    fn choose(
-        &mut self,
-        place: Place,
-        comparison: &str,
-        [a, b]: [Place; 2],
-        to: &str,
-        is_opposite: bool,
-    ) -> Result<(), Error> {
+    /// Defines a node as one of two terms.
+    fn choose(&mut self, place: Place, comparison: &str, [a, b]: [Place; 2]) -> Result<(), Error> {
         self.begin(place)?;
-        let (open, close) = if is_opposite { ("(- ", ")") } else { ("", "") };
-        let other: String<DIGITS> = match to.is_empty() {
-            true => named(b)?,
-            false => String::try_from(to).map_err(|_| full(fmt::Error))?,
-        };
-        write!(
-            self.out,
-            "(ite ({comparison} t{a} {other}) t{a} {open}t{b}{close}))\n"
-        )
-        .map_err(full)
+        writeln!(self.out, "(ite ({comparison} t{a} t{b}) t{a} t{b}))").map_err(full)
     }
 
     fn declare(&mut self, place: Place) -> Result<(), Error> {
@@ -411,13 +398,6 @@ fn loose(own: Range<f64>) -> Range<f64> {
         low: if low <= -1.0 { -f64::INFINITY } else { low },
         high: if high >= 1.0 { f64::INFINITY } else { high },
     }
-}
-
-/// The name of a node.
-fn named(place: Place) -> Result<String<DIGITS>, Error> {
-    let mut name = String::new();
-    fmt::Write::write_fmt(&mut name, format_args!("t{place}")).map_err(full)?;
-    Ok(name)
 }
 
 /// A whole number, as the writer of numbers writes it.
