@@ -330,7 +330,10 @@ impl Program for &mut Tape {
             }
             Operation::Difference(a, b) => {
                 let (a, b) = pair(a, b)?;
-                Node::Difference(a, b)
+                match a == b {
+                    true => Node::Number(0.0),
+                    false => Node::Difference(a, b),
+                }
             }
             Operation::Product(a, b) => match pair(a, b)? {
                 (a, b) if a == b => Node::Square(a),

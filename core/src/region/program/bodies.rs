@@ -23,6 +23,8 @@ const FOOTPRINT: usize = 2;
 /// A body where it stands.
 struct Standing {
     centre: [Value; 3],
+    /// The angle by which it is turned, if that is about the z axis.
+    yaw: Option<Value>,
     axes: [[Value; 3]; 3],
     /// Half of each size that it has.
     halves: [Option<Value>; 3],
@@ -89,10 +91,10 @@ impl<P: Program> Places<'_, P> {
             }
             Relation::Inside => self.room(&a, &b, d, count),
             Relation::InsideAlong(axis) => {
-                let (direction, half) = along(axis, b.axes.into_iter().zip(b.halves))?;
+                let half = along(axis, b.halves.into_iter())?;
                 let half = half.unwrap_or(Value::ZERO);
                 let half = self.code.plus(half, b.radius.unwrap_or(Value::ZERO))?;
-                self.slab(&a, direction, half, d, count)
+                self.slab([&a, &b], index_of(axis), half, d, count)
             }
             Relation::Over => {
                 let point = Standing {
@@ -126,6 +128,7 @@ impl<P: Program> Places<'_, P> {
         let [[a, b, c], [d, e, f], [g, h, i]] = placed.turn.rows(&mut self.code)?;
         let mut standing = Standing {
             centre: placed.origin,
+            yaw: placed.yaw,
             axes: [[a, d, g], [b, e, h], [c, f, i]],
             halves: [None; 3],
             radius: None,
@@ -182,8 +185,9 @@ impl<P: Program> Places<'_, P> {
         if b.radius.is_none() && b.has_sides(count) {
             let mut room = None;
             self.local(b, d, count)?;
-            for (direction, half) in b.sides(count) {
-                let own = self.slab(a, direction, half, d, count)?;
+            for (index, half) in b.halves.into_iter().enumerate().take(count) {
+                let Some(half) = half else { continue };
+                let own = self.slab([a, b], index, half, d, count)?;
                 room = Some(match room {
                     Some(room) => self.lesser(room, own)?,
                     None => own,
@@ -197,18 +201,24 @@ impl<P: Program> Places<'_, P> {
         self.code.minus(room, farthest)
     }
 
-    /// How much room there is for a body between two planes.
+    /// How much room there is for a body between two sides of another one, across an axis.
     fn slab(
         &mut self,
-        a: &Standing,
-        direction: [Value; 3],
+        [a, b]: [&Standing; 2],
+        index: usize,
         half: Value,
         d: [Value; 3],
         count: usize,
     ) -> Result<Value, Error> {
+        let direction = nth(b.axes, index);
+        let turned = self.turned(a.yaw, b.yaw)?;
         let mut room = half;
-        for (axis, own) in a.sides(3) {
-            let across = dot(&mut self.code, axis, direction)?;
+        for (side, own) in a.halves.into_iter().enumerate() {
+            let Some(own) = own else { continue };
+            let across = match turned {
+                Some(axes) => nth(nth(axes, side), index),
+                None => dot(&mut self.code, nth(a.axes, side), direction)?,
+            };
             let across = self.magnitude(across)?;
             let extent = self.code.times(across, own)?;
             room = self.code.minus(room, extent)?;
@@ -324,11 +334,20 @@ fn dimensions(domain: &Domain<'_>) -> Dimensions {
 
 /// What belongs to an axis.
 fn along<T>(axis: Axis, mut all: impl Iterator<Item = T>) -> Result<T, Error> {
-    let index = match axis {
+    all.nth(index_of(axis))
+        .ok_or(Error::InvalidArgument("a body has three axes"))
+}
+
+fn index_of(axis: Axis) -> usize {
+    match axis {
         Axis::X => 0,
         Axis::Y => 1,
         Axis::Z => 2,
-    };
-    all.nth(index)
-        .ok_or(Error::InvalidArgument("a body has three axes"))
+    }
+}
+
+/// One of three values, or vectors; any other one is the first.
+fn nth<T: Copy>(all: [T; 3], index: usize) -> T {
+    let [first, ..] = all;
+    all.into_iter().nth(index).unwrap_or(first)
 }

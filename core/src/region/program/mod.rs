@@ -104,6 +104,11 @@ pub(super) trait Program {
         Ok(())
     }
 
+    /// Whether it takes sines of sums of angles, where things are turned one in another.
+    fn keeps_angles(&self) -> bool {
+        true
+    }
+
     /// Adds that a size of a body has to be above zero.
     fn require_positive(&mut self, size: Operand) -> Result<(), Error>;
 

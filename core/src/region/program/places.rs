@@ -56,6 +56,8 @@ impl Turn {
 pub(super) struct Placed {
     pub(super) origin: [Value; 3],
     pub(super) turn: Turn,
+    /// The angle by which it is turned, if that is about the z axis and wanted.
+    pub(super) yaw: Option<Value>,
 }
 
 /// Computes what points and given terms are.
@@ -119,6 +121,7 @@ impl<'d, P: Program> Places<'d, P> {
             Base::World => Placed {
                 origin: [Value::ZERO; 3],
                 turn: Turn::None,
+                yaw: self.code.keeps_angles().then_some(Value::ZERO),
             },
             Base::Object(object) => self.object(object)?,
             Base::Point(earlier) => self.placed(earlier)?,
@@ -128,6 +131,13 @@ impl<'d, P: Program> Places<'d, P> {
             let angles = [self.given(yaw)?, self.given(pitch)?, self.given(roll)?];
             let inner = self.rotation(angles)?;
             placed.turn = self.compose(&placed.turn, &inner)?;
+            placed.yaw = match (placed.yaw, point.turn) {
+                (Some(own), [_, None, None]) => {
+                    let [yaw, ..] = angles;
+                    Some(self.code.plus(own, yaw)?)
+                }
+                _ => None,
+            };
         }
         if self.is_line && placed.turn.varies() {
             return Err(NOT_STRAIGHT);
@@ -160,6 +170,10 @@ impl<'d, P: Program> Places<'d, P> {
         Ok(Placed {
             origin: pose.position.map(of_slot),
             turn,
+            yaw: match pose.angles {
+                [yaw, None, None] => self.code.keeps_angles().then(|| of_slot(yaw)),
+                _ => None,
+            },
         })
     }
 

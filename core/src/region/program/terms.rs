@@ -1,6 +1,6 @@
 //! Terms of constraints.
 
-use super::places::{NOT_STRAIGHT, Places, dot};
+use super::places::{NOT_STRAIGHT, Places, Turn, dot};
 use super::{Operand, Operation, Program, Value};
 use crate::domain::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 use crate::error::Error;
@@ -123,7 +123,10 @@ impl<P: Program> Places<'_, P> {
             }
             Quantity::Angle(a, b) => {
                 let (a, b) = (self.placed(a)?, self.placed(b)?);
-                let angle = self.angle(a.turn.heading(), b.turn.heading())?;
+                let angle = match self.turned(a.yaw, b.yaw)? {
+                    Some([x, ..]) => self.angle(Turn::None.heading(), x)?,
+                    None => self.angle(a.turn.heading(), b.turn.heading())?,
+                };
                 Ok(angle.into())
             }
             Quantity::Off(a, b) => {
@@ -142,6 +145,25 @@ impl<P: Program> Places<'_, P> {
                 Ok(self.between_bodies(quantity)?.into())
             }
         }
+    }
+
+    /// The axes of what is turned by one angle, as seen from what is turned by another one.
+    pub(super) fn turned(
+        &mut self,
+        yaw: Option<Value>,
+        from: Option<Value>,
+    ) -> Result<Option<[[Value; 3]; 3]>, Error> {
+        let Some((yaw, from)) = yaw.zip(from) else {
+            return Ok(None);
+        };
+        let angle = self.code.minus(yaw, from)?;
+        let [sin, cos] = self.code.sin_cos(angle)?;
+        let (o, negative) = (Value::ZERO, self.code.negated(sin)?);
+        Ok(Some([
+            [cos, sin, o],
+            [negative, cos, o],
+            [o, o, Value::ONE],
+        ]))
     }
 
     fn distance(&mut self, metric: Metric, [a, b]: [u8; 2]) -> Result<Term, Error> {

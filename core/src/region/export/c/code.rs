@@ -113,6 +113,11 @@ impl Program for Code<'_> {
         Ok(both)
     }
 
+    /// Frames are multiplied, as scenes do.
+    fn keeps_angles(&self) -> bool {
+        false
+    }
+
     fn check_bodies(&self) -> Result<(), Error> {
         Err(Error::InvalidArgument(
             "a relation between bodies cannot be written as C; use the library for this region",
