@@ -38,7 +38,7 @@ class Regions(unittest.TestCase):
                 self.assertEqual(len(gradients), len(values))
 
     def test_proofs(self):
-        ranges = [[0.0, 10.0], [0.0, 6.0], [0.0, 1.57]] * 2
+        ranges = [[0.0, 10.0], [0.0, 6.0], [0.0, 1.57]]
         wider = critreg.Region(DOMAIN, "grasp.y <= 3.0")
         self.assertEqual(self.region.implies(wider, ranges).verdict, critreg.Verdict.PROVEN)
         proof = wider.implies(self.region, ranges)
