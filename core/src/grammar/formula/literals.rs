@@ -51,7 +51,8 @@ mod tests {
     #[test]
     fn what_must_hold_or_fail_is_visited() {
         let domain = Domain::parse("parameter a in [0, 1] parameter b in [0, 1]").unwrap();
-        let cases: [(&str, bool, &[(u8, bool)]); 6] = [
+        type Case = (&'static str, bool, &'static [(u8, bool)]);
+        let cases: [Case; 6] = [
             ("a < 0.5 and not b < 0.5", true, &[(0, true), (1, false)]),
             ("a < 0.5 and not b < 0.5", false, &[]),
             ("a < 0.5 or not b < 0.5", false, &[(0, false), (1, true)]),

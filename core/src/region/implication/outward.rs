@@ -149,11 +149,11 @@ pub(super) fn greatest(a: Range<f64>, b: Range<f64>) -> Range<f64> {
 }
 
 pub(super) fn sine(a: Range<f64>) -> Range<f64> {
-    periodic(a, FRAC_PI_2, |x| x.sin_cos().0)
+    periodic(a, FRAC_PI_2, |x| Real::sin_cos(x).0)
 }
 
 pub(super) fn cosine(a: Range<f64>) -> Range<f64> {
-    periodic(a, 0.0, |x| x.sin_cos().1)
+    periodic(a, 0.0, |x| Real::sin_cos(x).1)
 }
 
 /// The range of a sine whose greatest value is at an angle.
@@ -163,7 +163,7 @@ fn periodic(a: Range<f64>, top: f64, value: impl Fn(f64) -> f64) -> Range<f64> {
     }
     // Whether an angle, or one that is turned on by full turns, is in the range.
     let passes = |angle: f64| {
-        let turns = ((a.high + NEAR - angle) / TAU).floor();
+        let turns = Real::floor((a.high + NEAR - angle) / TAU);
         angle + turns * TAU >= a.low - NEAR
     };
     let (first, last) = (value(a.low), value(a.high));
@@ -197,7 +197,7 @@ pub(super) fn arc_tangent(y: Range<f64>, x: Range<f64>) -> Range<f64> {
     ];
     let mut angles = range(f64::INFINITY, -f64::INFINITY);
     for (y, x) in corners {
-        let angle = y.atan2(x);
+        let angle = Real::atan2(y, x);
         if angle.is_nan() {
             return all;
         }

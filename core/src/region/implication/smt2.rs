@@ -384,7 +384,7 @@ fn is_fixed(own: Range<f64>) -> bool {
 
 /// A sine or cosine as one means it: that of half of pi is one.
 fn snapped(number: f64) -> f64 {
-    (number * DIGIT + 0.5).floor() / DIGIT
+    Real::floor(number * DIGIT + 0.5) / DIGIT
 }
 
 /// A range of sines in few digits, that is no narrower but for what [`snapped`] leaves out.
