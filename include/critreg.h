@@ -1590,8 +1590,8 @@ typedef struct critreg_proof {
     uint32_t struct_size;
     /**
      * How many boxes of instances and parameters are examined at most for each statement of
-     * the specification, and for each member of a group that it is about. A box takes some
-     * ten microseconds. Default: 20000.
+     * the specification, and for each member of a group that it is about. A box takes ten
+     * to a hundred microseconds. Default: 20000.
      */
     uint32_t max_boxes;
     /**

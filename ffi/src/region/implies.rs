@@ -28,8 +28,8 @@ pub struct critreg_proof {
     /// Size of this struct in bytes, from critreg_proof_init().
     pub struct_size: u32,
     /// How many boxes of instances and parameters are examined at most for each statement of
-    /// the specification, and for each member of a group that it is about. A box takes some
-    /// ten microseconds. Default: 20000.
+    /// the specification, and for each member of a group that it is about. A box takes ten
+    /// to a hundred microseconds. Default: 20000.
     pub max_boxes: u32,
     /// By how much a constraint of the specification may be missed, in its own unit: above
     /// zero. Default: 1e-6.

@@ -67,7 +67,10 @@ impl Claim {
         let ranges = self.ranges(&domain);
         let mut instance = vec![0.0; domain.instance_len()];
         let start = Instant::now();
-        let config = ProofConfig::default();
+        let config = ProofConfig {
+            boxes: 10_000,
+            ..ProofConfig::default()
+        };
         let answer = region.implies(&specification, &domain, &ranges, config, &mut instance);
         let answer = answer.unwrap_or_else(|error| panic!("{}: {error}", self.name));
         let took = start.elapsed();

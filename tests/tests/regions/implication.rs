@@ -3,6 +3,7 @@
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::env::stick_button::StickButton;
+use critreg::random::{generator, uniform_in};
 use critreg::region::{Implication, Limit, ProofConfig, Region, Verdict};
 use critreg_tests::report::Claim;
 use std::f64::consts::PI;
@@ -204,4 +205,94 @@ fn what_is_asked_wrongly_is_refused() {
     let answer = ask(&region, &[[0.0, 1.0]], none).unwrap();
     let limit = Limit::Boxes;
     assert_eq!(answer.verdict, Verdict::Undecided { open: 1.0, limit });
+}
+
+/// Everything that a proof can be about, in one domain.
+const RICH: &str = "object stick { x: length, y: length, theta: angle, width: length }
+    object post[2] { x: length, y: length, radius: length }
+    object tray { x: length, y: length, theta: angle }
+    parameter mu in [0, 1]
+    parameter turn in [-1, 1]: angle
+    point grasp = stick turned turn + (mu * stick.width, 0.1)
+    point hand = grasp
+    shape hand = rectangle(0.2, 0.1) centred
+    shape tray = rectangle(1, 0.6)
+    shape post = circle(post.radius)";
+const FORMS: [&str; 12] = [
+    "grasp.y",
+    "dist(grasp, tray)",
+    "dist_x(grasp, tray)",
+    "min(dist(grasp, post))",
+    "max(dist_y(grasp, post))",
+    "min(clear(hand, post))",
+    "inside(hand, tray)",
+    "x_in(hand, tray)",
+    "corner(hand, tray)",
+    "angle(grasp, tray)",
+    "off(grasp, tray)",
+    "mu * stick.width - 0.3 * grasp.x",
+];
+
+#[test]
+fn what_is_proven_has_no_counterexample_among_samples() {
+    let domain = Domain::parse(RICH).unwrap();
+    let ranges = [
+        [[-1.0, 1.0], [-1.0, 1.0], [-2.0, 2.0], [0.5, 1.0]].as_slice(),
+        &[[-1.0, 1.0], [-1.0, 1.0], [0.1, 0.3]].repeat(2),
+        &[[-0.5, 0.5], [-0.5, 0.5], [-1.0, 1.0]],
+    ]
+    .concat();
+    let mut rng = generator(11);
+    let mut verdicts = [0; 3];
+    for _ in 0..150 {
+        let mut constraint = || {
+            let form = FORMS[(uniform_in(&mut rng, 0.0, 12.0) as usize).min(11)];
+            let sign = [" <= ", " >= "][usize::from(uniform_in(&mut rng, 0.0, 1.0) < 0.5)];
+            format!("{form}{sign}{:.2}", uniform_in(&mut rng, -0.3, 1.2))
+        };
+        let (one, other, third) = (constraint(), constraint(), constraint());
+        let text = format!("({one} or {other}) and {third}");
+        let region = Region::parse(&domain, &text).unwrap();
+        // The same forms again, so that some of it is implied.
+        let loose = third
+            .replace("<= ", "<= 0.2 + ")
+            .replace(">= ", ">= -0.2 + ");
+        let specification = [format!("{loose} and ({one} or {other})"), constraint()];
+        let pick = usize::from(uniform_in(&mut rng, 0.0, 1.0) < 0.4);
+        let specification = Region::parse(&domain, &specification[pick]).unwrap();
+        let mut instance = vec![0.0; ranges.len()];
+        let config = ProofConfig {
+            boxes: 200,
+            ..ProofConfig::default()
+        };
+        let answer = region.implies(&specification, &domain, &ranges, config, &mut instance);
+        match answer.unwrap().verdict {
+            Verdict::Proven => verdicts[0] += 1,
+            Verdict::Refuted { theta } => {
+                verdicts[1] += 1;
+                let admits = |own: &Region| own.contains::<f64>(&domain, &instance, &theta[..2]);
+                assert_eq!(
+                    (admits(&region), admits(&specification)),
+                    (Ok(true), Ok(false))
+                );
+                continue;
+            }
+            Verdict::Undecided { .. } => {
+                verdicts[2] += 1;
+                continue;
+            }
+        }
+        for _ in 0..2000 {
+            let mut draw = |[low, high]: [f64; 2]| uniform_in(&mut rng, low, high);
+            let mut sample: Vec<f64> = ranges.iter().map(|own| draw(*own)).collect();
+            let theta = [draw([0.0, 1.0]), draw([-1.0, 1.0])];
+            if draw([0.0, 1.0]) < 0.3 {
+                sample[7..10].fill(f64::NAN);
+            }
+            let admits = |own: &Region| own.contains::<f64>(&domain, &sample, &theta).unwrap();
+            let holds = !admits(&region) || admits(&specification);
+            assert!(holds, "{text}: {sample:?} {theta:?}");
+        }
+    }
+    assert!(verdicts[0] > 30 && verdicts[1] > 20, "{verdicts:?}");
 }
