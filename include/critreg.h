@@ -75,6 +75,7 @@
  *     writing and saving regions and learners                                             4 KiB
  *     critreg_sample_region()                                                            12 KiB
  *     critreg_sample_regions(), critreg_region_contains(), critreg_region_intervals()    28 KiB
+ *     critreg_region_implies(), critreg_learner_challenge(), critreg_region_to_smt2()     96 KiB
  *     critreg_check_domain()                                                             24 KiB
  *     critreg_check_region()                                                             32 KiB
  *     critreg_plan()                                                                     56 KiB
@@ -1014,6 +1015,22 @@
 #define CRITREG_MAX_REGIONS 32
 
 /**
+ * In a critreg_proof: neither a proof nor a counterexample was found.
+ */
+#define CRITREG_UNDECIDED 0
+
+/**
+ * In a critreg_proof: the region satisfies the specification, in all instances in the
+ * ranges and with all parameters.
+ */
+#define CRITREG_PROVEN 1
+
+/**
+ * In a critreg_proof: there is a counterexample.
+ */
+#define CRITREG_REFUTED 2
+
+/**
  * For critreg_planner_config.heuristic: LM-cut (Helmert and Domshlak 2009), the
  * default. Never too high, so that shorter sequences come before longer ones.
  */
@@ -1591,6 +1608,49 @@ typedef struct critreg_rng {
      */
     uint64_t state[2];
 } critreg_rng;
+
+/**
+ * What critreg_region_implies() may cost, and what it found.
+ */
+typedef struct critreg_proof {
+    /**
+     * Size of this struct in bytes, from critreg_proof_init().
+     */
+    uint32_t struct_size;
+    /**
+     * How many boxes of instances and parameters are examined at most for each statement of
+     * the specification, and for each member of a group that it is about. A box takes ten
+     * to a hundred microseconds. Default: 20000.
+     */
+    uint32_t max_boxes;
+    /**
+     * By how much a constraint of the specification may be missed, in its own unit: above
+     * zero. Default: 1e-6.
+     */
+    double tolerance;
+    /**
+     * CRITREG_PROVEN, CRITREG_REFUTED or CRITREG_UNDECIDED.
+     */
+    uint32_t verdict;
+    /**
+     * If it is undecided: 1 if a box was halved as often as there is room for, so that more
+     * boxes do not help; else 0, and they may.
+     */
+    uint32_t too_fine;
+    /**
+     * If it is not proven: which of the statements that the specification joins by "and" is
+     * refuted, or has most that is open; from 0.
+     */
+    uint32_t statement;
+    /**
+     * How many boxes were examined.
+     */
+    uint32_t boxes;
+    /**
+     * If it is undecided: the share of the cases of that statement that is open.
+     */
+    double open;
+} critreg_proof;
 
 /**
  * How to plan, how long, and with how much memory. Fill it with
@@ -3454,6 +3514,144 @@ critreg_status critreg_region_margins(const struct critreg_region *region,
                                       const double *theta,
                                       double *values,
                                       double *gradients);
+
+/**
+ * Prepares a proof for critreg_region_implies(), with defaults.
+ *
+ * @param proof The proof.
+ * @param size sizeof *proof; see critreg_config_init().
+ * @return As critreg_config_init().
+ */
+critreg_status critreg_proof_init(struct critreg_proof *proof, size_t size);
+
+/**
+ * Whether all that a region admits satisfies a specification, in every instance whose
+ * numbers are in ranges.
+ *
+ * A specification is a region of the same domain text that says what must hold, as "the
+ * hand stays in its zone and clear of every obstacle":
+ *
+ * ```c
+ * critreg_region_parse(memory, sizeof memory, domain_text,
+ *     "hand.y + radius <= zone.top and min(clear(hand, obstacle)) >= 0", &specification);
+ * critreg_proof_init(&proof, sizeof proof);
+ * critreg_region_implies(region, specification, ranges, &proof, instance, theta);
+ * if (proof.verdict == CRITREG_REFUTED)
+ *     try_it(instance, theta);
+ * ```
+ *
+ * A proof is one in real arithmetic (rounding is outward), up to proof.tolerance. A
+ * counterexample is in the region and not in the specification, as
+ * critreg_region_contains() tells of double precision. Statements are proven one by one,
+ * those about all members of a group for one member at a time, so their number costs
+ * little. Members of groups may be there or not; one whose ranges are NaN never is. What
+ * touches what is specified without a gap, or hangs together by many numbers, may stay
+ * undecided.
+ *
+ * Some things cannot be proven: angles with a symmetry, lines of sight, and how clear two
+ * bodies are of each other that both have sides. A specification about them is refused;
+ * in a region they count as if they were not said.
+ *
+ * @param region The region.
+ * @param specification What it has to satisfy.
+ * @param ranges A lower and an upper end for each number of an instance.
+ * @param proof From critreg_proof_init(); what it may cost is read, what was found is
+ * written.
+ * @param instance Receives the instance of a counterexample, one number per attribute: NaN
+ * for those of members that it is not about. What it holds is undefined unless there is one.
+ * @param theta Receives its parameters, if there is one; NULL if the action has none.
+ * @return CRITREG_MISMATCH for regions of two domain texts; CRITREG_INVALID_ARGUMENT for a
+ * specification that cannot be proven, and for a range or a tolerance that is none;
+ * CRITREG_NOT_FINITE for a range; CRITREG_CAPACITY_EXCEEDED for more terms than there is
+ * room for; CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_implies(const struct critreg_region *region,
+                                      const struct critreg_region *specification,
+                                      const double *ranges,
+                                      struct critreg_proof *proof,
+                                      double *instance,
+                                      double *theta);
+
+/**
+ * How many questions for another prover a specification is, see critreg_region_to_smt2():
+ * one for each statement that it joins by "and", and for each member of a group that this
+ * is about.
+ *
+ * @param specification The specification.
+ * @param count Receives how many there are; 0 for "true".
+ * @return CRITREG_NULL_POINTER, CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_region_question_count(const struct critreg_region *specification,
+                                             size_t *count);
+
+/**
+ * Writes one of the questions of critreg_region_implies() as SMT-LIB 2, for another prover:
+ * z3 and its like answer "unsat" if the region satisfies this part of the specification in
+ * all instances in the ranges, up to the tolerance. "sat" is a counterexample, if the
+ * angles that the model stands for are in their ranges.
+ *
+ * Numbers are reals, written as the shortest decimals; an angle is a point of the unit
+ * circle, a distance a number with a square. Angles between what moves are not said. A
+ * prover may take for ever where something turns; critreg_region_implies() mostly does not.
+ *
+ * @param region The region.
+ * @param specification What it has to satisfy.
+ * @param ranges A lower and an upper end for each number of an instance.
+ * @param proof NULL for defaults, or a struct from critreg_proof_init() with the tolerance.
+ * @param number Which question, from 0; see critreg_region_question_count().
+ * @param text Receives the script, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the text with its NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_INVALID_ARGUMENT for a
+ * number that no question has; all others as critreg_region_implies().
+ */
+critreg_status critreg_region_to_smt2(const struct critreg_region *region,
+                                      const struct critreg_region *specification,
+                                      const double *ranges,
+                                      const struct critreg_proof *proof,
+                                      size_t number,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+
+/**
+ * Whether the region that a learner has satisfies a specification, as
+ * critreg_region_implies(): if not, the counterexample is what to try next.
+ *
+ * So learning goes on until the region is proven, or the proof says what is open: append
+ * the instance to those of the learner, try the parameters there, and tell what came of it.
+ *
+ * ```c
+ * critreg_learn_region(learner, instances, count, try, user_data, &region);
+ * while (critreg_learner_challenge(learner, specification, ranges, &proof, next, theta)
+ *        == CRITREG_OK && proof.verdict == CRITREG_REFUTED && count < room) {
+ *     memcpy(&instances[count * len], next, len * sizeof *next);
+ *     outcome = try_it(next, theta);
+ *     critreg_observe(learner, instances, count + 1, count, theta, outcome);
+ *     critreg_conclude(learner, instances, ++count);
+ * }
+ * ```
+ *
+ * If the action works there after all, the specification asks for too much. The learner
+ * needs room for the instances and observations that come to it.
+ *
+ * @param learner The learner.
+ * @param specification What the region has to satisfy: a region of the same domain text.
+ * @param ranges A lower and an upper end for each number of an instance.
+ * @param proof From critreg_proof_init(); what it may cost is read, what was found is
+ * written.
+ * @param instance Receives the instance of a counterexample.
+ * @param theta Receives its parameters; NULL if the action has none.
+ * @return CRITREG_NO_REGION if nothing is learned; CRITREG_BUSY; all others as
+ * critreg_region_implies().
+ */
+critreg_status critreg_learner_challenge(struct critreg_learner *learner,
+                                         const struct critreg_region *specification,
+                                         const double *ranges,
+                                         struct critreg_proof *proof,
+                                         double *instance,
+                                         double *theta);
 
 /**
  * Writes a region as C99 that needs no library: a header with static inline functions,

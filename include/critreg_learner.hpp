@@ -238,6 +238,25 @@ public:
         return Region::copy(failure, region);
     }
 
+    /** Whether the region satisfies a specification; if not, what to try next, see
+     *  critreg_learner_challenge(). */
+    [[nodiscard]] Returned<critreg_proof> challenge(const Region &specification, Numbers ranges,
+                                                    critreg_proof proof, Room instance,
+                                                    Room theta) {
+        const Failure failure = detail::first(
+            detail::fits(ranges.size(), 2 * specification.instance_len(), "ranges"),
+            [&] {
+                return detail::fits(instance.size(), specification.instance_len(), "instance");
+            },
+            [&] { return detail::fits(theta.size(), specification.parameter_count(), "theta"); },
+            [&] {
+                return explained(critreg_learner_challenge(handle(), specification.handle(),
+                                                           ranges.data(), &proof,
+                                                           instance.data(), theta.data()));
+            });
+        return Errors::give(failure, [&] { return proof; });
+    }
+
     /** Why there is no region, or none that is exact: CRITREG_WHY_UNEXPLAINED and its like. */
     [[nodiscard]] Returned<Why> why() {
         Why why;

@@ -194,6 +194,52 @@ public:
         return Errors::give(failure, [] {});
     }
 
+    /** Whether all that it admits satisfies a specification, in every instance whose numbers
+     *  are in ranges, a lower and an upper end for each; proof tells what it may cost, from
+     *  default_proof(). A counterexample is written to instance and theta. Does not
+     *  allocate. */
+    [[nodiscard]] Returned<critreg_proof> implies(const BasicRegion &specification,
+                                                  Numbers ranges, critreg_proof proof,
+                                                  Room instance, Room theta) const {
+        const Failure failure = detail::first(
+            detail::fits(ranges.size(), 2 * instance_len(), "ranges"),
+            [&] { return detail::fits(instance.size(), instance_len(), "instance"); },
+            [&] { return fits_theta(theta.size()); },
+            [&] {
+                return critreg_region_implies(handle(), specification.handle(), ranges.data(),
+                                              &proof, instance.data(), theta.data());
+            });
+        return Errors::give(failure, [&] { return proof; });
+    }
+
+    /** What a proof may cost by default. */
+    [[nodiscard]] static critreg_proof default_proof() noexcept {
+        critreg_proof proof;
+        (void)critreg_proof_init(&proof, sizeof proof);
+        return proof;
+    }
+
+    /** The questions of implies() as SMT-LIB 2, for another prover: one for each statement of
+     *  the specification, and for each member of a group that this is about. */
+    [[nodiscard]] Returned<std::vector<std::string>>
+    to_smt2(const BasicRegion &specification, Numbers ranges,
+            critreg_proof proof = default_proof()) const {
+        std::vector<std::string> questions;
+        std::size_t count = 0;
+        Failure failure = detail::first(
+            detail::fits(ranges.size(), 2 * instance_len(), "ranges"),
+            [&] { return critreg_region_question_count(specification.handle(), &count); });
+        questions.resize(failure ? 0 : count);
+        for (std::size_t number = 0; !failure && number < count; number++)
+            failure = Failure(detail::fill_text(
+                questions[number], [&](char *into, std::size_t len, std::size_t *needed) {
+                    return critreg_region_to_smt2(handle(), specification.handle(),
+                                                  ranges.data(), &proof, number, into, len,
+                                                  needed);
+                }));
+        return Errors::give(failure, [&] { return std::move(questions); });
+    }
+
     /** The region as C that needs no library, in functions whose names begin with name. */
     [[nodiscard]] Returned<std::string> to_c(const std::string &name) const {
         std::string text;

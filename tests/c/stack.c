@@ -124,6 +124,23 @@ static void look(void)
     OK(critreg_region_intervals(learned, WALLS, ends, CRITREG_MAX_INTERVALS, &count));
 }
 
+static void prove(void)
+{
+    double ranges[56], instance[28], theta[2];
+    critreg_proof proof;
+    size_t i;
+    for (i = 0; i < 28; i++) {
+        ranges[2 * i] = RICH_INSTANCE[i] - 0.05;
+        ranges[2 * i + 1] = RICH_INSTANCE[i] + 0.05;
+    }
+    /* Sizes are above zero. */
+    for (i = 0; i < 56; i++)
+        ranges[i] += 1.0;
+    OK(critreg_proof_init(&proof, sizeof proof));
+    proof.max_boxes = 100;
+    OK(critreg_region_implies(region, region, ranges, &proof, instance, theta));
+}
+
 static void check_domain(void) { OK(critreg_check_domain(RICH, text, sizeof text, NULL)); }
 
 static void check_region(void) { OK(critreg_check_region(RICH, NESTED, text, sizeof text, NULL)); }
@@ -184,6 +201,7 @@ int main(void)
         {"region_load", load, 8 * KIB},              {"region_format", format, 4 * KIB},
         {"sample_region", draw, 12 * KIB},            {"sample_regions", draw_from_several, 28 * KIB},
         {"contains, is_empty, intervals", look, 28 * KIB},
+        {"region_implies", prove, 96 * KIB},
         {"check_domain", check_domain, 24 * KIB},     {"check_region", check_region, 32 * KIB},
         {"check_pddl", check_pddl, 320 * KIB},         {"planner_measure", measure, 320 * KIB},
         {"planner_init", planner_init, 192 * KIB},     {"plan", plan, 56 * KIB},

@@ -72,6 +72,13 @@ static void views() {
     std::vector<double> values(region.constraints().size()), gradients(values);
     region.margins({1.0, 0.0}, {0.5}, values, gradients);
     EXPECT_TRUE(values[0] < 0.0 && gradients[0] == 1.0);
+    double where[2], how[1];
+    const std::vector<double> ranges = {0.0, 4.0, 0.0, 1.0};
+    critreg_proof proof =
+        region.implies(region, ranges, critreg::Region::default_proof(), where, how);
+    EXPECT_TRUE(proof.verdict == CRITREG_PROVEN);
+    const std::vector<std::string> questions = region.to_smt2(region, ranges);
+    EXPECT_TRUE(!questions.empty() && questions[0].find("(check-sat)") != std::string::npos);
     EXPECT_TRUE(region.to_c("reach").find("reach_contains") != std::string::npos);
     EXPECT_TRUE(region.to_rust().find("pub fn contains(") != std::string::npos);
     EXPECT_TRUE(region.to_svg({1.0, 0.0}).find("</svg>") != std::string::npos);
@@ -167,6 +174,11 @@ static void progress() {
     EXPECT_TRUE(calls == 10 && configured == 10);
     learner.learn(walls, works);
     EXPECT_TRUE(calls == 10 && configured == 100);
+    double where[2], how[1];
+    const critreg_proof proof = learner.challenge(
+        critreg::Region::parse(DOMAIN, "hand.x <= wall.x"), {0.5, 3.0, 0.0, 0.0},
+        critreg::Region::default_proof(), where, how);
+    EXPECT_TRUE(proof.verdict == CRITREG_PROVEN);
     try {
         new_learner().learn(walls, works, [](const critreg_report &) -> Status { throw 3; });
         EXPECT_TRUE(false);

@@ -45,7 +45,7 @@ impl<'t> Domain<'t> {
     }
 
     /// Turns a quantity of the first member of a group into that of another member.
-    pub(super) fn of_member(&self, quantity: Quantity, index: u8) -> Quantity {
+    pub(crate) fn of_member(&self, quantity: Quantity, index: u8) -> Quantity {
         let quantity = match quantity {
             Quantity::Gap(share, a, b, slot) => {
                 Quantity::Gap(share, a, b, self.slot_of_member(slot, index))

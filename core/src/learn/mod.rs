@@ -60,6 +60,7 @@
 //! ```
 
 pub mod algorithm1;
+mod challenge;
 mod journal;
 mod log;
 mod outcome;
@@ -69,6 +70,7 @@ mod tables;
 pub mod version_space;
 
 pub use algorithm1::Algorithm1;
+pub use challenge::challenge;
 pub use journal::{journal, journal_len, resume_journal};
 #[doc(hidden)]
 pub use log::Notes;

@@ -87,9 +87,7 @@ impl<'a, R: Real> Grounded<'a, R> {
     }
 
     pub(super) fn compute(&mut self) -> Result<(), Error> {
-        if self.domain.fingerprint() != self.region.fingerprint {
-            return Err(Error::Mismatch("the region belongs to another domain text"));
-        }
+        self.region.check_domain(self.domain)?;
         self.scene.place_points()?;
         let [parameter] = self.parameters() else {
             return Ok(());

@@ -85,6 +85,17 @@ impl Region {
         self.fingerprint = other.fingerprint;
     }
 
+    /// Checks that it is a region of a domain.
+    ///
+    /// # Errors
+    /// [`Error::Mismatch`].
+    pub(super) fn check_domain(&self, domain: &Domain<'_>) -> Result<(), Error> {
+        match domain.fingerprint() == self.fingerprint {
+            true => Ok(()),
+            false => Err(Error::Mismatch("the region belongs to another domain text")),
+        }
+    }
+
     /// Notes what its formula depends on: points, parameters and the domain.
     fn note_dependence(&mut self, domain: &Domain<'_>) {
         self.points = PointSet::of(domain, self.formula.nodes());

@@ -46,9 +46,7 @@ impl Region {
         values: &mut [f64],
         gradients: &mut [f64],
     ) -> Result<(), Error> {
-        if domain.fingerprint() != self.fingerprint {
-            return Err(Error::Mismatch("the region belongs to another domain text"));
-        }
+        self.check_domain(domain)?;
         domain.check_parameters(theta)?;
         let count = self.formula.constraints().len();
         if values.len() != count {

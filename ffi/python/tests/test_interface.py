@@ -24,6 +24,7 @@ STRUCTS = {
     "config": _structs.Config,
     "report": _structs.Report,
     "constraint": _structs.ConstraintStruct,
+    "proof": _structs.ProofStruct,
     "rng": _structs.RngStruct,
     "planner_config": _structs.PlannerConfig,
     "ground": _structs.GroundStruct,

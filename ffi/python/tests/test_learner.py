@@ -122,6 +122,22 @@ class Learning(unittest.TestCase):
         self.assertEqual(learner.region().text, "grasp.y <= 2.9 (zone.top - robot.radius)")
         self.assertEqual((learner.report().observed, learner.report().calls), (200, 0))
 
+    def test_counterexamples_teach(self):
+        truth = critreg.Region(DOMAIN, "grasp.y <= 2.9")
+        ranges = [[0.0, 10.0], [0.0, 2.5], [1.57, 1.57]]
+        # Where the stick lies this low, every grasp works but the last few.
+        learner = critreg.Learner(DOMAIN, [[2.0, 0.0, 1.57]], calls=30, certifying=0)
+        learner.learn(try_grasp)
+        proof = learner.challenge(truth, ranges)
+        for count in range(1, 12):
+            if proof.verdict != critreg.Verdict.REFUTED:
+                break
+            learner.add_instances([proof.instance])
+            learner.observe(count, proof.theta, try_grasp(proof.instance, proof.theta))
+            learner.conclude()
+            proof = learner.challenge(truth, ranges)
+        self.assertEqual(proof.verdict, critreg.Verdict.PROVEN)
+
     def test_runs_are_saved_and_resumed(self):
         whole, _ = learned(seed=5)
         learner, journal = critreg.Learner(DOMAIN, INSTANCES, seed=5), b""

@@ -38,6 +38,19 @@ class Regions(unittest.TestCase):
                 self.assertEqual(all(value <= 0.0 for value in values), inside)
                 self.assertEqual(len(gradients), len(values))
 
+    def test_proofs(self):
+        ranges = [[0.0, 10.0], [0.0, 6.0], [0.0, 1.57]]
+        wider = critreg.Region(DOMAIN, "grasp.y <= 3.0")
+        self.assertEqual(self.region.implies(wider, ranges).verdict, critreg.Verdict.PROVEN)
+        proof = wider.implies(self.region, ranges)
+        self.assertEqual(proof.verdict, critreg.Verdict.REFUTED)
+        self.assertTrue(wider.contains(proof.instance, proof.theta))
+        self.assertFalse(self.region.contains(proof.instance, proof.theta))
+        (question,) = wider.to_smt2(self.region, ranges)
+        self.assertIn("(check-sat)", question)
+        with self.assertRaises(critreg.Error):
+            wider.implies(self.region, ranges, tolerance=-1.0)
+
     def test_c(self):
         self.assertIn("int pick_contains(", self.region.to_c("pick"))
 

@@ -10,6 +10,7 @@
 //! | [`making`] | making one |
 //! | [`outcome`] | what came of a trial, as C says it |
 //! | [`learning`] | asking and telling |
+//! | [`challenge`] | what is learned, held against what is specified |
 //! | [`questions`] | several questions at once |
 //! | [`inspection`] | what is asked about one: whether it is finished, what it learned |
 //! | [`quality`] | how good a region is, and why there is none |
@@ -18,6 +19,7 @@
 //! | [`saving`] | saving a run and resuming it |
 
 pub(crate) mod any;
+pub mod challenge;
 pub mod check;
 pub mod config;
 pub mod handle;

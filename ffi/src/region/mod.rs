@@ -12,6 +12,7 @@
 //! | [`sampling`] | what it says about an instance: membership, intervals, samples |
 //! | [`many`] | membership of many samples, and many draws |
 //! | [`margins`] | its constraints as functions with gradients |
+//! | [`implies`] | whether it satisfies a specification, in all instances |
 //! | [`export`] | the region as C or Rust that needs no library |
 //! | [`picture`] | the region as a picture of an instance |
 
@@ -19,6 +20,7 @@ pub mod check;
 pub mod constraint;
 pub mod export;
 pub mod handle;
+pub mod implies;
 pub(crate) mod layout;
 pub mod making;
 pub mod many;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 46] = [
+const SOURCES: [&str; 48] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",
@@ -31,6 +31,8 @@ const SOURCES: [&str; 46] = [
     "region/sampling.rs",
     "region/many.rs",
     "region/margins.rs",
+    "region/implies.rs",
+    "learner/challenge.rs",
     "region/export.rs",
     "region/picture.rs",
     "boundary/rng.rs",

@@ -13,13 +13,15 @@
 //! What a log teaches, without a question:
 //! `report -- passive [--seeds N] [--first N] [--log N] [--noise SHARE]`.
 //!
+//! What is proven of regions in all instances at once: `report -- proof`.
+//!
 //! How much the numbers matter that decide what is learned:
 //! `report -- sensitivity [--seeds N] [--first N] [--only <part of a name>]`.
 
 use critreg_tests::report::{self, Run, Scenario, Statistics};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n       report pddl <folder>\n       report \
+const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n       report pddl <folder>\n       report proof\n       report \
      <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
      [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]\n       report \
      parallel [--seeds N] [--first N]\n       report \
@@ -40,6 +42,10 @@ fn main() -> ExitCode {
     }
     if let Some(seeds) = seeds_of("domains", 3) {
         report::domains(&report::DOMAINS, seeds);
+        return ExitCode::SUCCESS;
+    }
+    if seeds_of("proof", 0).is_some() {
+        report::proof();
         return ExitCode::SUCCESS;
     }
     for name in report::DOMAINS {

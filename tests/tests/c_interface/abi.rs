@@ -150,6 +150,11 @@ fn groups_of_any_number() {
 }
 
 #[test]
+fn proofs() {
+    passes("proof", &["proof.c"]);
+}
+
+#[test]
 fn regions_without_the_library_and_many_samples() {
     passes("export", &["export.c"]);
 }

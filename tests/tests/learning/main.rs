@@ -2,6 +2,7 @@
 
 mod actions;
 mod bodies;
+mod challenge;
 mod damage;
 mod growing;
 mod large_numbers;

@@ -6,6 +6,7 @@ mod bodies_compound;
 mod bodies_sight;
 mod division;
 mod groups;
+mod implication;
 mod intersection;
 mod large_numbers;
 mod margins;

@@ -2,6 +2,7 @@
 
 mod comparison;
 mod conjuncts;
+mod literals;
 mod parser;
 mod writer;
 

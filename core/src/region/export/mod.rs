@@ -4,30 +4,25 @@
 //! | file | content |
 //! |---|---|
 //! | `phrases.rs`, `c/`, `rust/` | what the languages say differently, and what is the same for every region |
-//! | `code.rs` | constants, each computed from those before it, and their derivatives |
-//! | `places.rs` | where points are |
-//! | `terms.rs` | what terms are |
+//! | `code.rs` | constants, each computed from those before it |
 //!
 //! What is computed is what a scene and its samples compute, in the same order of
 //! operations, so that the answers are the same to the last bit.
 
 mod code;
 mod phrases;
-mod places;
-mod terms;
 
 use super::lifted::Region;
+use super::program::{NOT_STRAIGHT, Operand, Places, Program, Term, Value};
 use crate::domain::{Domain, MAX_PARAMETERS, Node};
 use crate::error::Error;
 use crate::grammar::{Constraint, MAX_FORMULA_STEPS, Step};
 use crate::real::Real;
 use crate::text::TextBuffer;
-use code::{Code, Operand, Part, Value};
+use code::{Code, Part};
 use core::fmt;
 use heapless::Vec;
 use phrases::Phrases;
-use places::Places;
-use terms::Term;
 
 /// Longest name of what is written as C.
 const LONGEST_NAME: usize = 64;
@@ -296,7 +291,7 @@ impl Export<'_> {
             *slope = Operand::One;
         }
         let [parameter] = self.domain.parameters() else {
-            return Err(places::NOT_STRAIGHT);
+            return Err(NOT_STRAIGHT);
         };
         let [low, high] = [code.number(parameter.low)?, code.number(parameter.high)?];
         let mut places = Places::new(self.domain, code, theta, true);

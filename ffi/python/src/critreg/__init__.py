@@ -36,7 +36,18 @@ from .planner import (
     PlannerOptions,
     Step,
 )
-from .region import Constraint, Evidence, Picture, Quality, Region, Rng, are_empty, sample
+from .region import (
+    Constraint,
+    Evidence,
+    Picture,
+    Proof,
+    Quality,
+    Region,
+    Rng,
+    Verdict,
+    are_empty,
+    sample,
+)
 from .status import EmptyRegion, Error, NoPlan, NoRegion, NoSample, Status
 
 __version__: str = _library.library.critreg_version().decode()
@@ -68,6 +79,7 @@ __all__ = [
     "Picture",
     "Planner",
     "PlannerOptions",
+    "Proof",
     "Quality",
     "Query",
     "Question",
@@ -76,6 +88,7 @@ __all__ = [
     "Rng",
     "Status",
     "Step",
+    "Verdict",
     "Why",
     "are_empty",
     "sample",

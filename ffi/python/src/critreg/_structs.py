@@ -113,6 +113,20 @@ class Report(_Shown):
 
 
 @_laid_out
+class ProofStruct(ctypes.Structure):
+    """critreg_proof."""
+
+    struct_size: uint32
+    max_boxes: uint32
+    tolerance: double
+    verdict: uint32
+    too_fine: uint32
+    statement: uint32
+    boxes: uint32
+    open: double
+
+
+@_laid_out
 class ConstraintStruct(ctypes.Structure):
     """critreg_constraint."""
 

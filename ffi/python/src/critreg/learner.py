@@ -25,7 +25,7 @@ from ._library import (
 from ._numbers import matrix, outcome_of, vector
 from ._structs import DEFAULT_INSTANCES, MAX_QUESTIONS, Config, Report
 from .domain import Domain, as_domain
-from .region import Picture, Quality, Region
+from .region import Picture, Proof, Quality, Region, proof_of
 from .status import NoRegion, Status
 
 if TYPE_CHECKING:
@@ -356,6 +356,26 @@ class Learner:
                 return None
             self._checked(status)
             return Region._copied(region)
+
+    def challenge(
+        self,
+        specification: Region,
+        ranges: Matrix,
+        max_boxes: Optional[int] = None,
+        tolerance: Optional[float] = None,
+    ) -> Proof:
+        """Whether what is learned satisfies a specification, as `Region.implies`. If not, the
+        counterexample is what to try next: append its instance, and observe what comes of it."""
+        with self._lock:
+            return proof_of(
+                library.critreg_learner_challenge,
+                self._handle,
+                specification,
+                ranges,
+                max_boxes,
+                tolerance,
+                self._checked,
+            )
 
     def quality(self) -> Quality:
         """How good the region is."""

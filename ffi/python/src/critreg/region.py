@@ -5,7 +5,7 @@ from __future__ import annotations
 from ctypes import addressof, byref, c_char_p, c_double, c_int32, c_size_t, c_uint8, c_uint32
 from ctypes import c_void_p, sizeof
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional, Sequence, Union
 
 from ._library import (
     check,
@@ -20,7 +20,7 @@ from ._library import (
     text_of,
 )
 from ._numbers import flags_of, matrix, rows_of, vector
-from ._structs import MAX_INTERVALS, ConstraintStruct, RngStruct
+from ._structs import MAX_INTERVALS, ConstraintStruct, ProofStruct, RngStruct
 from .domain import Domain, as_domain
 
 if TYPE_CHECKING:
@@ -38,6 +38,36 @@ class Quality(IntEnum):
     """It is wrong about some answers; the report estimates how good it is."""
     EXACT = 3
     """It agrees with all answers, but for a few strays that the report counts."""
+
+
+class Verdict(IntEnum):
+    """Whether a region satisfies a specification."""
+
+    UNDECIDED = 0
+    """Neither a proof nor a counterexample was found."""
+    PROVEN = 1
+    """It does, in all instances in the ranges and with all parameters."""
+    REFUTED = 2
+    """It does not: there is a counterexample."""
+
+
+class Proof(NamedTuple):
+    """The answer of `Region.implies`."""
+
+    verdict: Verdict
+    """Proven, refuted or undecided."""
+    statement: int
+    """If it is not proven: which of the statements that "and" joins is not, from 0."""
+    instance: Optional[list[float]]
+    """If it is refuted: an instance,"""
+    theta: Optional[list[float]]
+    """and parameters that are in the region and not in the specification."""
+    open: float
+    """If it is undecided: the share of the cases that is open."""
+    too_fine: bool
+    """If it is undecided: whether more boxes do not help."""
+    boxes: int
+    """How many boxes were examined."""
 
 
 class Rng:
@@ -198,6 +228,35 @@ class Region:
         check(library.critreg_region_margins(self._handle, place, sample, values, gradients))
         return list(values), rows_of(gradients, self._parameters, count)
 
+    def implies(
+        self,
+        specification: Region,
+        ranges: Matrix,
+        max_boxes: Optional[int] = None,
+        tolerance: Optional[float] = None,
+    ) -> Proof:
+        """Whether all that the region admits satisfies a specification, a region of the same
+        domain, in every instance whose numbers are in `ranges`: a lower and an upper end for
+        each."""
+        return proof_of(
+            library.critreg_region_implies, self._handle, specification, ranges, max_boxes, tolerance
+        )
+
+    def to_smt2(
+        self, specification: Region, ranges: Matrix, tolerance: Optional[float] = None
+    ) -> list[str]:
+        """The questions of `implies` as SMT-LIB 2, for another prover, which answers "unsat"
+        to each if the region satisfies the specification."""
+        ends, count = matrix(ranges, 2, "ranges")
+        if count != self._instance_len:
+            raise ValueError(f"ranges: {count} of them, where {self._instance_len} are wanted")
+        proof = made(ProofStruct, library.critreg_proof_init)
+        if tolerance is not None:
+            proof.tolerance = tolerance
+        number = out(c_size_t, library.critreg_region_question_count, specification._handle)
+        given = self._handle, specification._handle, ends, byref(proof)
+        return [text_of(library.critreg_region_to_smt2, *given, k) for k in range(number)]
+
     def to_c(self, name: str) -> str:
         """The region as C that needs no library, in functions whose names begin with this."""
         return text_of(library.critreg_region_to_c, self._handle, encoded(name))
@@ -248,6 +307,39 @@ class Region:
             )
         )
         return [(ends[2 * i], ends[2 * i + 1]) for i in range(count.value)]
+
+
+def proof_of(
+    function: Callable[..., int],
+    handle: c_void_p,
+    specification: Region,
+    ranges: Matrix,
+    max_boxes: Optional[int],
+    tolerance: Optional[float],
+    checked: Callable[[int], None] = check,
+) -> Proof:
+    """What a function that proves finds out about what a handle has learned."""
+    ends, count = matrix(ranges, 2, "ranges")
+    if count != specification._instance_len:
+        wanted = specification._instance_len
+        raise ValueError(f"ranges: {count} of them, where {wanted} are wanted")
+    proof = made(ProofStruct, library.critreg_proof_init)
+    if max_boxes is not None:
+        proof.max_boxes = checked_id(max_boxes, "max_boxes", 32)
+    if tolerance is not None:
+        proof.tolerance = tolerance
+    instance, theta = (c_double * count)(), (c_double * specification._parameters)()
+    checked(function(handle, specification._handle, ends, byref(proof), instance, theta))
+    refuted = proof.verdict == Verdict.REFUTED
+    return Proof(
+        Verdict(proof.verdict),
+        proof.statement,
+        list(instance) if refuted else None,
+        list(theta) if refuted else None,
+        proof.open,
+        proof.too_fine == 1,
+        proof.boxes,
+    )
 
 
 def _restored(data: bytes, constraints: tuple[Constraint, ...], quality: Quality) -> Region:

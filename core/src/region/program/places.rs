@@ -1,8 +1,9 @@
-//! Where points are, as code: in the order of operations of a scene and its samples.
+//! Where points are, in the order of operations of a scene and its samples.
 
-use super::code::{Code, Operand, Value};
+use super::{Operand, Program, Value};
 use crate::domain::{Base, Domain, MAX_PARAMETERS, Node, NodeId, Point, Shape};
 use crate::error::Error;
+use crate::region::obligations::Members;
 use heapless::Vec;
 
 /// How many points are computed once; further ones are where they are used.
@@ -18,14 +19,16 @@ pub(super) enum Turn {
     Tilted([[Value; 3]; 3]),
 }
 
-const ONE: Value = Value::constant(Operand::One);
-
 impl Turn {
-    fn rows(&self, code: &mut Code<'_>) -> Result<[[Value; 3]; 3], Error> {
+    pub(super) fn rows(&self, code: &mut impl Program) -> Result<[[Value; 3]; 3], Error> {
         let o = Value::ZERO;
         Ok(match *self {
-            Turn::None => [[ONE, o, o], [o, ONE, o], [o, o, ONE]],
-            Turn::Planar([cos, sin]) => [[cos, code.negated(sin)?, o], [sin, cos, o], [o, o, ONE]],
+            Turn::None => [[Value::ONE, o, o], [o, Value::ONE, o], [o, o, Value::ONE]],
+            Turn::Planar([cos, sin]) => [
+                [cos, code.negated(sin)?, o],
+                [sin, cos, o],
+                [o, o, Value::ONE],
+            ],
             Turn::Tilted(rows) => rows,
         })
     }
@@ -33,7 +36,7 @@ impl Turn {
     /// Where it turns the x axis to.
     pub(super) fn heading(&self) -> [Value; 3] {
         match *self {
-            Turn::None => [ONE, Value::ZERO, Value::ZERO],
+            Turn::None => [Value::ONE, Value::ZERO, Value::ZERO],
             Turn::Planar([cos, sin]) => [cos, sin, Value::ZERO],
             Turn::Tilted(rows) => rows.map(|[x, ..]| x),
         }
@@ -53,26 +56,31 @@ impl Turn {
 pub(super) struct Placed {
     pub(super) origin: [Value; 3],
     pub(super) turn: Turn,
+    /// The angle by which it is turned, if that is about the z axis and wanted.
+    pub(super) yaw: Option<Value>,
 }
 
-/// Writes what points and given terms are.
-pub(super) struct Places<'d, 'o> {
-    pub(super) domain: &'d Domain<'d>,
-    pub(super) code: Code<'o>,
+/// Computes what points and given terms are.
+pub(in crate::region) struct Places<'d, P> {
+    pub(in crate::region) domain: &'d Domain<'d>,
+    /// What takes the operations.
+    pub(in crate::region) code: P,
     pub(super) theta: [Value; MAX_PARAMETERS],
     /// Whether parameters move along a line, where only straight things have a closed form.
     pub(super) is_line: bool,
+    /// Which members of groups extremes are over.
+    pub(in crate::region) members: Members,
     kept: Vec<(u8, Placed), KEPT>,
 }
 
 /// The error of what has no closed form along a line of parameters.
-pub(super) const NOT_STRAIGHT: Error =
+pub(in crate::region) const NOT_STRAIGHT: Error =
     Error::InvalidArgument("a constraint has no closed form that is written as code");
 
-impl<'d, 'o> Places<'d, 'o> {
-    pub(super) fn new(
+impl<'d, P: Program> Places<'d, P> {
+    pub(in crate::region) fn new(
         domain: &'d Domain<'d>,
-        code: Code<'o>,
+        code: P,
         theta: [Value; MAX_PARAMETERS],
         is_line: bool,
     ) -> Self {
@@ -81,6 +89,7 @@ impl<'d, 'o> Places<'d, 'o> {
             code,
             theta,
             is_line,
+            members: Members::Present,
             kept: Vec::new(),
         }
     }
@@ -93,6 +102,7 @@ impl<'d, 'o> Places<'d, 'o> {
         self.code.times(a, b)
     }
 
+    /// A quotient; along a line, of something fixed.
     pub(super) fn over(&mut self, a: Value, b: Value) -> Result<Value, Error> {
         if self.is_line && b.varies() {
             return Err(NOT_STRAIGHT);
@@ -119,6 +129,7 @@ impl<'d, 'o> Places<'d, 'o> {
             Base::World => Placed {
                 origin: [Value::ZERO; 3],
                 turn: Turn::None,
+                yaw: self.code.keeps_angles().then_some(Value::ZERO),
             },
             Base::Object(object) => self.object(object)?,
             Base::Point(earlier) => self.placed(earlier)?,
@@ -128,6 +139,13 @@ impl<'d, 'o> Places<'d, 'o> {
             let angles = [self.given(yaw)?, self.given(pitch)?, self.given(roll)?];
             let inner = self.rotation(angles)?;
             placed.turn = self.compose(&placed.turn, &inner)?;
+            placed.yaw = match (placed.yaw, point.turn) {
+                (Some(own), [_, None, None]) => {
+                    let [yaw, ..] = angles;
+                    Some(self.code.plus(own, yaw)?)
+                }
+                _ => None,
+            };
         }
         if self.is_line && placed.turn.varies() {
             return Err(NOT_STRAIGHT);
@@ -160,6 +178,10 @@ impl<'d, 'o> Places<'d, 'o> {
         Ok(Placed {
             origin: pose.position.map(of_slot),
             turn,
+            yaw: match pose.angles {
+                [yaw, None, None] => self.code.keeps_angles().then(|| of_slot(yaw)),
+                _ => None,
+            },
         })
     }
 
@@ -238,7 +260,7 @@ impl<'d, 'o> Places<'d, 'o> {
     }
 
     /// A term of the domain: an offset, a turn, a size.
-    fn given(&mut self, id: Option<NodeId>) -> Result<Value, Error> {
+    pub(super) fn given(&mut self, id: Option<NodeId>) -> Result<Value, Error> {
         let Some(id) = id else {
             return Ok(Value::ZERO);
         };
@@ -307,7 +329,11 @@ impl<'d, 'o> Places<'d, 'o> {
 }
 
 /// The scalar product of two vectors.
-pub(super) fn dot(code: &mut Code<'_>, a: [Value; 3], b: [Value; 3]) -> Result<Value, Error> {
+pub(in crate::region) fn dot(
+    code: &mut impl Program,
+    a: [Value; 3],
+    b: [Value; 3],
+) -> Result<Value, Error> {
     let mut sum = Value::ZERO;
     for (a, b) in a.into_iter().zip(b) {
         let product = code.times(a, b)?;

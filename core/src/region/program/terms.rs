@@ -1,16 +1,18 @@
-//! Terms of constraints, as code.
+//! Terms of constraints.
 
-use super::code::{Operand, Value};
-use super::places::{NOT_STRAIGHT, Places, dot};
+use super::places::{NOT_STRAIGHT, Places, Turn, dot};
+use super::{Case, Operand, Operation, Program, Value};
 use crate::domain::{Coordinate, Extreme, Metric, Node, NodeId, Quantity};
 use crate::error::Error;
+use crate::grammar::Constraint;
+use crate::region::obligations::Members;
 
 /// A term: a value, and along a line of parameters also a factor times the length of a
 /// vector that moves.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Term {
-    pub(super) line: Value,
-    pub(super) bend: Option<(Operand, [Value; 3])>,
+pub(in crate::region) struct Term {
+    pub(in crate::region) line: Value,
+    pub(in crate::region) bend: Option<(Operand, [Value; 3])>,
 }
 
 impl From<Value> for Term {
@@ -25,8 +27,22 @@ impl Term {
     }
 }
 
-impl Places<'_, '_> {
-    pub(super) fn term(&mut self, nodes: &[Node], id: NodeId) -> Result<Term, Error> {
+impl<P: Program> Places<'_, P> {
+    /// How far a constraint is from its bound: at most zero where it holds.
+    pub(in crate::region) fn margin(
+        &mut self,
+        nodes: &[Node],
+        constraint: &Constraint,
+    ) -> Result<Operand, Error> {
+        let left = self.term(nodes, constraint.lhs)?.line.value;
+        let right = self.term(nodes, constraint.rhs)?.line.value;
+        match constraint.comparison.is_upper() {
+            true => self.code.difference(left, right),
+            false => self.code.difference(right, left),
+        }
+    }
+
+    pub(in crate::region) fn term(&mut self, nodes: &[Node], id: NodeId) -> Result<Term, Error> {
         let missing = Error::InvalidArgument("an expression refers to a missing term");
         match *nodes.get(usize::from(id.0)).ok_or(missing)? {
             Node::Sum(a, b) => {
@@ -59,23 +75,29 @@ impl Places<'_, '_> {
             Node::Quotient(a, b) => {
                 let (a, b) = (self.term(nodes, a)?, self.term(nodes, b)?);
                 let bend = match (a.bend, b.varies()) {
+                    (_, true) if self.is_line => return Err(NOT_STRAIGHT),
                     (Some((factor, vector)), false) => {
                         Some((self.code.quotient(factor, b.line.value)?, vector))
                     }
-                    (None, false) => None,
-                    (_, true) if self.is_line => return Err(NOT_STRAIGHT),
-                    (_, true) => None,
+                    (None, _) | (Some(_), true) => None,
                 };
                 let line = self.code.over(a.line, b.line)?;
                 Ok(Term { line, bend })
             }
-            Node::Extreme(extreme, quantity) => self.extreme(extreme, quantity).map(Term::from),
+            Node::Extreme(extreme, quantity) => match self.members {
+                Members::Present => self.extreme(extreme, quantity).map(Term::from),
+                Members::One(index) => self.quantity(self.domain.of_member(quantity, index)),
+                Members::Unknown => {
+                    let operation = Operation::Extreme(extreme, quantity);
+                    Ok(Value::constant(self.code.operation(operation)?).into())
+                }
+            },
             Node::Quantity(quantity) => self.quantity(quantity),
             leaf => Ok(self.leaf(leaf)?.ok_or(missing)?.into()),
         }
     }
 
-    pub(super) fn difference(&mut self, a: Term, b: Term) -> Result<Term, Error> {
+    pub(in crate::region) fn difference(&mut self, a: Term, b: Term) -> Result<Term, Error> {
         let negative = match b.bend {
             Some((factor, vector)) => {
                 let zero = Operand::Zero;
@@ -113,7 +135,10 @@ impl Places<'_, '_> {
             }
             Quantity::Angle(a, b) => {
                 let (a, b) = (self.placed(a)?, self.placed(b)?);
-                let angle = self.angle(a.turn.heading(), b.turn.heading())?;
+                let angle = match self.turned(a.yaw, b.yaw)? {
+                    Some([x, ..]) => self.angle(Turn::None.heading(), x)?,
+                    None => self.angle(a.turn.heading(), b.turn.heading())?,
+                };
                 Ok(angle.into())
             }
             Quantity::Off(a, b) => {
@@ -126,12 +151,31 @@ impl Places<'_, '_> {
                 Ok(self.angle(a, b)?.into())
             }
             Quantity::FoldedAngle(..) => Err(Error::InvalidArgument(
-                "an angle with a symmetry cannot be written as code; use the library for this region",
+                "an angle with a symmetry cannot be written down; use the library for this region",
             )),
-            Quantity::Relation(..) | Quantity::Sight(..) => Err(Error::InvalidArgument(
-                "a relation between bodies cannot be written as code; use the library for this region",
-            )),
+            Quantity::Relation(..) | Quantity::Sight(..) => {
+                Ok(self.between_bodies(quantity)?.into())
+            }
         }
+    }
+
+    /// The axes of what is turned by one angle, as seen from what is turned by another one.
+    pub(super) fn turned(
+        &mut self,
+        yaw: Option<Value>,
+        from: Option<Value>,
+    ) -> Result<Option<[[Value; 3]; 3]>, Error> {
+        let Some((yaw, from)) = yaw.zip(from) else {
+            return Ok(None);
+        };
+        let angle = self.code.minus(yaw, from)?;
+        let [sin, cos] = self.code.sin_cos(angle)?;
+        let (o, negative) = (Value::ZERO, self.code.negated(sin)?);
+        Ok(Some([
+            [cos, sin, o],
+            [negative, cos, o],
+            [o, o, Value::ONE],
+        ]))
     }
 
     fn distance(&mut self, metric: Metric, [a, b]: [u8; 2]) -> Result<Term, Error> {
@@ -184,8 +228,8 @@ impl Places<'_, '_> {
             return Err(NOT_STRAIGHT);
         }
         let code = &mut self.code;
-        let operands = [y.value, x.value];
-        let mut angle = Value::constant(code.constant(code.phrases.atan2, &operands)?);
+        let angle = code.operation(Operation::ArcTangent(y.value, x.value))?;
+        let mut angle = Value::constant(angle);
         if !x.varies() && !y.varies() {
             return Ok(angle);
         }
@@ -199,7 +243,7 @@ impl Places<'_, '_> {
             let (first, second) = (code.product(x.value, of_y)?, code.product(y.value, of_x)?);
             let turned = code.difference(first, second)?;
             if turned != Operand::Zero {
-                *slope = code.constant(code.phrases.ratio, &[square, turned])?;
+                *slope = code.cases(Case::Ratio, &[square, turned])?;
             }
         }
         Ok(angle)
@@ -207,12 +251,7 @@ impl Places<'_, '_> {
 
     /// The extreme over the members of a group that an instance has.
     fn extreme(&mut self, extreme: Extreme, quantity: Quantity) -> Result<Value, Error> {
-        let [above, below] = self.code.phrases.infinite;
-        let (start, counts) = match extreme {
-            Extreme::Least => (above, "$a == $a && $b < $c"),
-            Extreme::Greatest => (below, "$a == $a && $b > $c"),
-        };
-        let mut best = Value::constant(self.code.constant(start, &[])?);
+        let mut best = Value::constant(self.code.cases(Case::Nothing(extreme), &[])?);
         let domain = self.domain;
         for (member, own) in domain.of_members(quantity) {
             let Term { line, bend: None } = self.quantity(own)? else {
@@ -223,11 +262,11 @@ impl Places<'_, '_> {
             }
             // The numbers of a member that is absent are not equal to themselves.
             let first = Operand::Slot(member.first_slot);
-            let counts = self.code.flag(counts, &[first, line.value, best.value])?;
-            let choice = self.code.phrases.choose;
+            let operands = [first, line.value, best.value];
+            let counts = self.code.cases(Case::Counts(extreme), &operands)?;
             let mut choose = |own: Operand, other: Operand| match own == other {
                 true => Ok(own),
-                false => self.code.constant(choice, &[counts, own, other]),
+                false => self.code.cases(Case::Choice, &[counts, own, other]),
             };
             let mut chosen = Value::constant(choose(line.value, best.value)?);
             let slopes = line.slopes.into_iter().zip(best.slopes);
