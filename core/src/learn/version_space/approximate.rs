@@ -10,28 +10,35 @@ use super::bound::Bound;
 use super::clause::Clause;
 use super::forms::{DirectedForm, SUM_LEVEL, SampleSet, StepView, tolerance};
 use super::hypothesis::{Hypothesis, MAX_CLAUSES};
+use super::memory::MAX_OBSERVATIONS;
 use crate::real::Real;
 use crate::table::{move_last, take_out};
 use heapless::Vec;
 
 /// By how much more a sample counts that is admitted wrongly than one that is missed.
 const CAUTIONS: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 19.0];
-/// Most feasible samples that one bound may miss.
-const MISSED: usize = 16;
-/// Forms that clauses are chosen from, after all have been looked at once.
-const POOL: usize = 256;
+/// Most feasible samples that one bound may miss: a few of a hundred that there may be.
+const MISSED: usize = if MAX_OBSERVATIONS < 512 {
+    16
+} else {
+    MAX_OBSERVATIONS / 32
+};
+/// Forms that are offered for each clause.
+const OF_EACH: usize = 64;
+/// Forms that clauses are chosen from, after all have been looked at for each.
+const POOL: usize = OF_EACH * MAX_CLAUSES;
 /// How often each clause is chosen anew.
 const ROUNDS: usize = 2;
 
 /// What a hypothesis makes of the samples.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Fit {
+struct Fit {
     /// Feasible samples that it admits.
-    pub(super) feasible: f64,
+    feasible: f64,
     /// Infeasible ones.
-    pub(super) infeasible: f64,
+    infeasible: f64,
     /// Samples that it is wrong about.
-    pub(super) wrong: u32,
+    wrong: u32,
 }
 
 impl Fit {
@@ -54,8 +61,8 @@ impl<R: Real> Hypothesis<R> {
     /// as there is. Samples that were not drawn at random, but lie near a boundary, count
     /// less.
     #[inline(never)]
-    pub(super) fn approximate(&mut self, view: &StepView<'_, '_, R>, wanted: f64) -> Fit {
-        let pool = pool(view);
+    pub(super) fn approximate(&mut self, view: &StepView<'_, '_, R>, wanted: f64) {
+        let pool = self.pool(view);
         let mut best: Option<(Fit, Hypothesis<R>)> = None;
         for caution in CAUTIONS {
             self.grow(view, &pool, caution);
@@ -71,19 +78,33 @@ impl<R: Real> Hypothesis<R> {
                 best = Some((fit, self.clone()));
             }
         }
-        match best {
-            Some((fit, hypothesis)) => {
-                self.copy_from(&hypothesis);
-                self.consistent = fit.wrong == 0;
-                fit
-            }
-            None => Fit::default(),
+        if let Some((fit, hypothesis)) = best {
+            self.copy_from(&hypothesis);
+            self.consistent = fit.wrong == 0;
         }
     }
 
     /// What it costs in bits: its description, and what it is wrong about.
-    pub(super) fn robust_length(&self, view: &StepView<'_, '_, R>, fit: &Fit) -> f64 {
-        self.length(view.forms) + view.forms.tuning().wrong * f64::from(fit.wrong)
+    pub(super) fn robust_length(&self, view: &StepView<'_, '_, R>) -> f64 {
+        let wrong = f64::from(self.fit(view).wrong);
+        self.length(view.forms) + view.forms.tuning().wrong * wrong
+    }
+
+    /// The forms that clauses are chosen from: those that pay most at first, and those that pay
+    /// most beside what was chosen of them. Variants of the clause that explains most would
+    /// leave no place for any other.
+    #[inline(never)]
+    fn pool(&mut self, view: &StepView<'_, '_, R>) -> Vec<DirectedForm, POOL> {
+        let mut pool = Vec::new();
+        self.clear();
+        while !self.clauses.is_full() {
+            let (feasible, infeasible) = self.admitted(view);
+            offer(view, [&feasible, &infeasible], &mut pool);
+            if !self.add(view, &pool, 1.0) {
+                break;
+            }
+        }
+        pool
     }
 
     /// Adds one bound after the other as long as that pays, then chooses each anew.
@@ -165,14 +186,18 @@ impl<R: Real> Hypothesis<R> {
     }
 }
 
-/// The forms whose bounds alone pay most.
+/// Puts the forms into the pool whose bounds pay most where only these samples are left, best
+/// ones first.
 #[inline(never)]
-fn pool<R: Real>(view: &StepView<'_, '_, R>) -> Vec<DirectedForm, POOL> {
-    let mut best: Vec<(f32, DirectedForm), POOL> = Vec::new();
+fn offer<R: Real>(
+    view: &StepView<'_, '_, R>,
+    left: [&SampleSet; 2],
+    pool: &mut Vec<DirectedForm, POOL>,
+) {
+    let mut best: Vec<(f32, DirectedForm), OF_EACH> = Vec::new();
     view.forms.for_each(SUM_LEVEL, |form| {
         let length = view.forms.bound_length(&form, false);
-        let sets = [&view.feasible, &view.infeasible];
-        let Some(cut) = cut(view, &form, sets, (1.0, length)) else {
+        let Some(cut) = cut(view, &form, left, (1.0, length)) else {
             return;
         };
         let gain = cut.gain as f32;
@@ -187,7 +212,12 @@ fn pool<R: Real>(view: &StepView<'_, '_, R>) -> Vec<DirectedForm, POOL> {
             move_last(&mut best, place);
         }
     });
-    crate::table::gather(best.iter().map(|(_, form)| *form))
+    for (_, form) in best {
+        if !pool.contains(&form) {
+            // There is room for those of each clause.
+            let _ = pool.push(form);
+        }
+    }
 }
 
 /// Where a bound of a form pays most; `None` if it does not anywhere.

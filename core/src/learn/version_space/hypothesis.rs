@@ -219,17 +219,19 @@ impl<R: Real> Hypothesis<R> {
         lengths.sum()
     }
 
+    /// Whether it admits a sample.
+    pub(super) fn admits(&self, view: &StepView<'_, '_, R>, sample: usize) -> bool {
+        let tuning = view.forms.tuning();
+        let holds = |bound: &Bound<R>| view.value(&bound.form, sample) <= bound.threshold(tuning);
+        let mut clauses = self.clauses.iter();
+        clauses.all(|clause| clause.bounds().any(holds))
+    }
+
     /// The samples that it is wrong about.
     pub(super) fn wrong(&self, view: &StepView<'_, '_, R>) -> impl Iterator<Item = usize> {
-        let tuning = view.forms.tuning();
-        let admits = move |sample: usize| {
-            let holds =
-                |bound: &Bound<R>| view.value(&bound.form, sample) <= bound.threshold(tuning);
-            let mut clauses = self.clauses.iter();
-            clauses.all(|clause| clause.bounds().any(holds))
-        };
-        let admitted = view.infeasible.iter().filter(move |sample| admits(*sample));
-        let missed = view.feasible.iter().filter(move |sample| !admits(*sample));
+        let admits = move |sample: &usize| self.admits(view, *sample);
+        let admitted = view.infeasible.iter().filter(admits);
+        let missed = view.feasible.iter().filter(move |sample| !admits(sample));
         admitted.chain(missed)
     }
 

@@ -384,7 +384,8 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         }
         // Where draws are on their way, the region stays what they are drawn from; and one that
         // was judged by what was told since is not exchanged for one that nobody judged.
-        let judged = self.approximating && self.quality() == Quality::Approximate;
+        let judged =
+            self.approximating && self.certifying && self.quality() == Quality::Approximate;
         let stays = self.since.late > 0 || judged;
         if !stays && !self.selection.is_of(self.forms.samples()) {
             self.select_again(problem.domain());

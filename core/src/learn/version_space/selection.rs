@@ -14,6 +14,11 @@ use crate::random::Generator;
 use crate::real::Real;
 use crate::table::{Blank, Table};
 
+/// Up to so many samples flatter a region that is chosen by them as [`Tuning::optimism`] says.
+///
+/// [`Tuning::optimism`]: super::Tuning::optimism
+const FLATTERED: f64 = 128.0;
+
 /// When the best hypotheses were selected last.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Selection {
@@ -157,6 +162,7 @@ impl<R: Real> VersionSpace<'_, R> {
         };
         self.approximate();
         self.rebuild_region(domain);
+        self.judge_by_log();
     }
 
     /// Looks for a region that explains most answers, if it is time for that and there is
@@ -174,15 +180,51 @@ impl<R: Real> VersionSpace<'_, R> {
         if early || self.unasked.is_some() || !self.influence || (explained && !doubtful) {
             return;
         }
+        let wanted = self.wanted_of_chosen();
+        let aside = self.forms.aside();
         let mut robust = 0.0;
         for (step, own) in self.approximations.iter_mut().enumerate() {
-            let view = StepView::new(&self.forms, step);
-            let fit = own.approximate(&view, self.wanted);
-            robust += own.robust_length(&view, &fit);
+            let view = || StepView::new(&self.forms, step);
+            own.approximate(&view().without(&aside), wanted);
+            robust += own.robust_length(&view());
         }
         // As for an exact one, it is no accident only if it is shorter than the answers.
         let significant = robust + tuning.significance <= self.entropy();
         self.approximating = significant && (!explained || robust < length);
+    }
+
+    /// Which share of the samples that a region is chosen by must work there. The more there
+    /// are of them, the less they flatter it.
+    fn wanted_of_chosen(&self) -> f64 {
+        let flattered = (FLATTERED / self.forms.samples().max(1) as f64).min(1.0);
+        let wanted = self.config.precision_wanted;
+        match self.certifying {
+            true => self.wanted,
+            false => wanted + flattered * (self.wanted - wanted),
+        }
+    }
+
+    /// Judges the region by what was put aside of a log, if it is wrong about some answers:
+    /// nobody chose that by the region, nor the region by that.
+    #[inline(never)]
+    fn judge_by_log(&mut self) {
+        let aside = self.forms.aside();
+        if !self.approximating || aside.is_empty() {
+            return;
+        }
+        let last = StepView::new(&self.forms, self.capacity.steps - 1);
+        let (mut draws, mut worked, mut found) = (0, 0, 0);
+        for sample in aside.iter() {
+            let feasible = last.feasible.contains(sample);
+            let inside = self.shown().all(|own| own.admits(&last, sample));
+            draws += u32::from(inside);
+            worked += u32::from(inside && feasible);
+            found += u32::from(feasible);
+        }
+        if draws > self.report.certificate.draws {
+            self.report.certificate = Certificate::new(draws, worked, self.config.confidence);
+            (self.report.found, self.report.inside) = (found, worked);
+        }
     }
 
     /// The hypothesis of each step that makes the region.

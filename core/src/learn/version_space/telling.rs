@@ -2,6 +2,7 @@
 
 use super::bound::Bound;
 use super::certificate::Certificate;
+use super::forms::Origin;
 use super::query::Phase;
 use super::{Step, VersionSpace};
 use crate::domain::Domain;
@@ -9,6 +10,10 @@ use crate::error::Error;
 use crate::learn::question::{KEPT, Purpose, Question, State, Trial};
 use crate::learn::{Observation, Outcome, Problem, Query};
 use crate::real::Real;
+
+/// One of so many samples that nobody asked is put aside, to judge a region that is wrong about
+/// some of them.
+const ASIDE: u32 = 4;
 
 /// What a learner did since the last observation. It is kept with the next one, so that a
 /// learner that is resumed does it again.
@@ -278,7 +283,13 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Tells the forms of a sample.
     #[inline(never)]
     fn take_in(&mut self, trial: &Trial) {
-        let source = (trial.query().instance, trial.purpose != Purpose::Doubt);
+        let origin = match trial.purpose {
+            Purpose::Doubt => Origin::Chosen,
+            // The same ones, however long the log is and whatever of it is kept.
+            Purpose::Told if trial.query().checksum().is_multiple_of(ASIDE) => Origin::Aside,
+            _ => Origin::Drawn,
+        };
+        let source = (trial.query().instance, origin);
         if trial.lead > 0 {
             self.report.feasible += 1;
             let steps = self.capacity.steps;
