@@ -23,6 +23,8 @@ const MISSED: usize = if MAX_OBSERVATIONS < 512 {
 } else {
     MAX_OBSERVATIONS / 32
 };
+/// So many samples that work, and so many that do not, tell which forms are worth a closer look.
+const ENOUGH: usize = 256;
 /// Forms that are offered for each clause.
 const OF_EACH: usize = 64;
 /// Forms that clauses are chosen from, after all have been looked at for each.
@@ -56,6 +58,15 @@ struct Cut<R> {
     gain: f64,
 }
 
+/// What it is worth to be right about samples.
+#[derive(Clone, Copy)]
+struct Worth {
+    /// By how much more one counts that is admitted wrongly than one that is missed.
+    caution: f64,
+    /// The bits of one that is missed.
+    each: f64,
+}
+
 impl<R: Real> Hypothesis<R> {
     /// Makes it the largest whose share of feasible samples is `wanted`, or as much of that
     /// as there is. Samples that were not drawn at random, but lie near a boundary, count
@@ -76,6 +87,10 @@ impl<R: Real> Hypothesis<R> {
             });
             if better {
                 best = Some((fit, self.clone()));
+            }
+            if fit.precision() >= wanted {
+                // With more caution it would be smaller.
+                break;
             }
         }
         if let Some((fit, hypothesis)) = best {
@@ -99,7 +114,9 @@ impl<R: Real> Hypothesis<R> {
         self.clear();
         while !self.clauses.is_full() {
             let (feasible, infeasible) = self.admitted(view);
-            offer(view, [&feasible, &infeasible], &mut pool);
+            let each = feasible.len().max(infeasible.len()).div_ceil(ENOUGH);
+            let left = [&feasible.every(each), &infeasible.every(each)];
+            offer(view, left, each, &mut pool);
             if !self.add(view, &pool, 1.0) {
                 break;
             }
@@ -126,13 +143,17 @@ impl<R: Real> Hypothesis<R> {
     /// Adds the bound that pays most; `false` if none pays.
     fn add(&mut self, view: &StepView<'_, '_, R>, pool: &[DirectedForm], caution: f64) -> bool {
         let (feasible, infeasible) = self.admitted(view);
+        let worth = Worth {
+            caution,
+            each: view.forms.tuning().wrong,
+        };
         let mut best: Option<Cut<R>> = None;
         for form in pool {
             let clauses = &self.clauses;
             let mut known = clauses.iter().flat_map(Clause::bounds);
             let named = known.any(|bound| bound.form.index == form.index);
             let length = view.forms.bound_length(form, named);
-            if let Some(cut) = cut(view, form, [&feasible, &infeasible], (caution, length))
+            if let Some(cut) = cut(view, form, [&feasible, &infeasible], (worth, length))
                 && best.is_none_or(|best| cut.gain > best.gain)
             {
                 best = Some(cut);
@@ -186,18 +207,23 @@ impl<R: Real> Hypothesis<R> {
     }
 }
 
-/// Puts the forms into the pool whose bounds pay most where only these samples are left, best
-/// ones first.
+/// Puts the forms into the pool whose bounds pay most where only these samples are left, each of
+/// which stands for so many; best ones first.
 #[inline(never)]
 fn offer<R: Real>(
     view: &StepView<'_, '_, R>,
     left: [&SampleSet; 2],
+    each: usize,
     pool: &mut Vec<DirectedForm, POOL>,
 ) {
+    let worth = Worth {
+        caution: 1.0,
+        each: view.forms.tuning().wrong * each as f64,
+    };
     let mut best: Vec<(f32, DirectedForm), OF_EACH> = Vec::new();
     view.forms.for_each(SUM_LEVEL, |form| {
         let length = view.forms.bound_length(&form, false);
-        let Some(cut) = cut(view, &form, left, (1.0, length)) else {
+        let Some(cut) = cut(view, &form, left, (worth, length)) else {
             return;
         };
         let gain = cut.gain as f32;
@@ -225,7 +251,7 @@ fn cut<R: Real>(
     view: &StepView<'_, '_, R>,
     form: &DirectedForm,
     [feasible, infeasible]: [&SampleSet; 2],
-    (caution, length): (f64, f64),
+    (worth, length): (Worth, f64),
 ) -> Option<Cut<R>> {
     // The values farthest out, from the outermost in: beyond each lie as many samples as
     // stand before it.
@@ -252,11 +278,11 @@ fn cut<R: Real>(
             *count += 1;
         }
     }
-    let wrong = view.forms.tuning().wrong;
     let (mut excluded, mut best) = (0, None::<Cut<R>>);
     for (missed, (end, count)) in ends.iter().zip(counts).enumerate() {
         excluded += count;
-        let gain = wrong * (caution * f64::from(excluded) - missed as f64) - length;
+        let samples = worth.caution * f64::from(excluded) - missed as f64;
+        let gain = worth.each * samples - length;
         // A distance of a group without members is infinite, which is no threshold.
         if end.is_finite() && gain > best.map_or(0.0, |best| best.gain) {
             best = Some(Cut {

@@ -9,7 +9,7 @@
 use super::bound::Bound;
 use super::clause::Clause;
 use super::disjunction::best_disjunction;
-use super::forms::{Forms, SampleSet, StepView};
+use super::forms::{Forms, SampleSet, StepView, tolerance};
 use super::greedy::{Randomisation, best_form};
 use crate::random::Generator;
 use crate::real::Real;
@@ -182,6 +182,18 @@ impl<R: Real> Hypothesis<R> {
         }
         for sample in overlap.twice.iter() {
             self.assign(view, sample);
+        }
+    }
+
+    /// Counts a sample more that its clauses exclude, at which its forms have these values.
+    pub(super) fn count(&mut self, value: impl Fn(&Bound<R>) -> R) {
+        let beyond = |own: &Bound<R>| {
+            let value = value(own);
+            value > own.inner + tolerance(value)
+        };
+        for clause in &mut self.clauses {
+            let excluded = clause.bounds().all(beyond);
+            clause.support += u32::from(excluded);
         }
     }
 

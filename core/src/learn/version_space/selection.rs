@@ -19,6 +19,9 @@ use crate::table::{Blank, Table};
 /// [`Tuning::optimism`]: super::Tuning::optimism
 const FLATTERED: f64 = 128.0;
 
+/// With more samples fewer hypotheses compete: each takes longer, and there is less choice.
+const MANY: usize = 256;
+
 /// When the best hypotheses were selected last.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Selection {
@@ -149,20 +152,45 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Selects the best hypotheses anew and makes the region of them.
     #[inline(never)]
     pub(super) fn reselect(&mut self, domain: &Domain<'_>) {
+        if self.report.observed > 0 {
+            // What was told may not have been looked at.
+            self.repair_best();
+        }
         self.select(domain);
         for effort in [Effort::Simple, Effort::Thorough] {
-            if self.find_sums(domain, effort) {
-                self.select(domain);
+            if self.is_hopeless() || !self.find_sums(domain, effort) {
+                break;
             }
+            self.select(domain);
         }
+        self.finish_selection(domain, true);
+    }
+
+    /// The same with little effort, while observations come in: the best hypotheses are repaired
+    /// and improved, but nothing else is looked for.
+    #[inline(never)]
+    pub(super) fn reselect_quickly(&mut self, domain: &Domain<'_>) {
+        self.repair_best();
+        improve_best(domain, &self.forms, &mut self.committee, self.config.slack);
+        self.finish_selection(domain, false);
+    }
+
+    fn finish_selection(&mut self, domain: &Domain<'_>, current: bool) {
         self.selection = Selection {
-            current: true,
+            current,
             length: self.committee.length(&self.forms),
             samples: self.forms.samples(),
         };
         self.approximate();
         self.rebuild_region(domain);
         self.judge_by_log();
+    }
+
+    /// Whether so much was told that what does not agree with it is not worth a longer search:
+    /// some of it is wrong.
+    fn is_hopeless(&self) -> bool {
+        let many = self.report.observed > 0 && self.forms.samples() > MANY;
+        many && !self.committee.is_consistent()
     }
 
     /// Looks for a region that explains most answers, if it is time for that and there is
@@ -366,7 +394,8 @@ fn select<R: Real>(
     rng: &mut Generator,
 ) {
     let tuning = forms.tuning();
-    let (candidates, disjunctions) = (tuning.candidates as usize, tuning.disjunctions as usize);
+    let disjunctions = tuning.disjunctions as usize;
+    let candidates = tuning.candidates as usize * MANY / forms.samples().max(MANY);
     let naming = |clause: &_| describe::naming_length(domain, forms, clause);
     let objective = Objective {
         slack,
@@ -397,6 +426,24 @@ fn select<R: Real>(
                 }
             }
         }
+    }
+}
+
+/// Improves the best hypothesis of each step.
+#[inline(never)]
+fn improve_best<R: Real>(
+    domain: &Domain<'_>,
+    forms: &Forms<'_, R>,
+    committee: &mut Committee<'_, R>,
+    slack: f64,
+) {
+    let naming = |clause: &_| describe::naming_length(domain, forms, clause);
+    let objective = Objective {
+        slack,
+        naming: &naming,
+    };
+    for (step, (best, _)) in committee.steps_mut() {
+        best.improve(&StepView::new(forms, step), &objective);
     }
 }
 

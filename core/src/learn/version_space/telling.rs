@@ -1,8 +1,10 @@
 //! Taking answers in, to questions and to what nobody asked.
 
 use super::bound::Bound;
+use super::clause::Clause;
 use super::certificate::Certificate;
 use super::forms::Origin;
+use super::hypothesis::Hypothesis;
 use super::query::Phase;
 use super::{Step, VersionSpace};
 use crate::domain::Domain;
@@ -104,8 +106,10 @@ impl<R: Real> VersionSpace<'_, R> {
         // A run that is resumed may have had more calls.
         let within = self.report.calls as u64 <= u64::from(self.config.calls);
         let last = asked && within && self.is_out_of_calls();
-        if (last && !self.certifying) || (!asked && self.has_grown()) {
+        if last && !self.certifying {
             self.reselect(problem.domain());
+        } else if !asked && self.has_grown() {
+            self.reselect_quickly(problem.domain());
         }
         Ok(None)
     }
@@ -222,7 +226,7 @@ impl<R: Real> VersionSpace<'_, R> {
         // Where nobody asks and nothing explains all answers, the next selection does it.
         let told = trial.purpose == Purpose::Told;
         let waits = told && (self.approximating || !self.committee.is_consistent());
-        let moved = !waits && self.repair_best();
+        let moved = !waits && !(told && self.is_settled(trial)) && self.repair_best();
         self.count(trial);
         if self.approximating {
             return;
@@ -242,6 +246,32 @@ impl<R: Real> VersionSpace<'_, R> {
             _ if !moved => self.count_support(domain),
             _ => self.rebuild_region(domain),
         }
+    }
+
+    /// Whether the best hypotheses stay what they are with a sample more, whose left sides are in
+    /// `lhs`; if so, they count it.
+    fn is_settled(&mut self, trial: &Trial) -> bool {
+        let feasible = trial.lead > 0;
+        let failed = usize::from(trial.failed_step.saturating_sub(1));
+        let instance = trial.query().instance;
+        let (forms, lhs) = (&self.forms, &*self.lhs);
+        let value = |bound: &Bound<R>| forms.value(&bound.form, instance, lhs);
+        let beyond = |clause: &Clause<R>| clause.bounds().all(|own| value(own) >= own.outer);
+        let settles = |(step, best): (usize, &Hypothesis<R>)| {
+            let worked = feasible || step < failed;
+            match worked {
+                _ if best.is_strained() => false,
+                true => best.clauses.iter().all(|clause| clause.admits(value)),
+                false => step != failed || best.clauses.iter().any(beyond),
+            }
+        };
+        if !self.committee.best().enumerate().all(settles) {
+            return false;
+        }
+        if let (false, Some((_, (best, _)))) = (feasible, self.committee.steps_mut().nth(failed)) {
+            best.count(value);
+        }
+        true
     }
 
     /// Counts what samples that were drawn at random tell about the region.
