@@ -10,19 +10,14 @@ use super::bound::Bound;
 use super::clause::Clause;
 use super::forms::{DirectedForm, SUM_LEVEL, SampleSet, StepView, tolerance};
 use super::hypothesis::{Hypothesis, MAX_CLAUSES};
-use super::memory::MAX_OBSERVATIONS;
 use crate::real::Real;
 use crate::table::{move_last, take_out};
 use heapless::Vec;
 
 /// By how much more a sample counts that is admitted wrongly than one that is missed.
 const CAUTIONS: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 19.0];
-/// Most feasible samples that one bound may miss: a few of a hundred that there may be.
-const MISSED: usize = if MAX_OBSERVATIONS < 512 {
-    16
-} else {
-    MAX_OBSERVATIONS / 32
-};
+/// Most feasible samples that one bound may miss, of few and of very many.
+const MISSED: [usize; 2] = [16, 64];
 /// So many samples that work, and so many that do not, tell which forms are worth a closer look.
 const ENOUGH: usize = 256;
 /// Forms that are offered for each clause.
@@ -255,24 +250,28 @@ fn cut<R: Real>(
 ) -> Option<Cut<R>> {
     // The values farthest out, from the outermost in: beyond each lie as many samples as
     // stand before it.
-    let mut ends: Vec<R, { MISSED + 1 }> = Vec::new();
+    let [few, many] = MISSED;
+    let missed = (feasible.len() / few).max(few).min(many);
+    let mut ends: Vec<R, { MISSED[1] + 1 }> = Vec::new();
     for sample in feasible.iter() {
         let value = view.value(form, sample);
-        if ends.is_full() {
+        if ends.len() > missed {
             if ends.last().is_none_or(|last| value <= *last) {
                 continue;
             }
             ends.pop();
         }
-        let place = ends.partition_point(|other| *other >= value);
         if ends.push(value).is_ok() {
-            move_last(&mut ends, place);
+            sink_last(&mut ends);
         }
     }
-    let mut counts = [0u32; MISSED + 1];
+    let mut counts = [0u32; MISSED[1] + 1];
     for sample in infeasible.iter() {
         let value = view.value(form, sample);
         let value = value - tolerance(value);
+        if ends.last().is_none_or(|last| value <= *last) {
+            continue;
+        }
         let place = ends.partition_point(|end| *end >= value);
         if let Some(count) = counts.get_mut(place) {
             *count += 1;
@@ -293,4 +292,19 @@ fn cut<R: Real>(
         }
     }
     best
+}
+
+/// Moves the last value before those that are less, where the others are in order.
+fn sink_last<R: Real>(values: &mut [R]) {
+    let mut behind = values.iter_mut().rev();
+    let Some(mut last) = behind.next() else {
+        return;
+    };
+    for other in behind {
+        if *other >= *last {
+            return;
+        }
+        core::mem::swap(other, last);
+        last = other;
+    }
 }

@@ -46,7 +46,12 @@ impl<R: Real> VersionSpace<'_, R> {
     pub(super) fn has_grown(&self) -> bool {
         let growth = self.config.tuning.observed_growth;
         let samples = self.forms.samples() as f64;
-        samples >= growth * self.selection.samples as f64 && samples >= growth * growth
+        // A region that is wrong about some answers is not refuted by a few more.
+        let often = match self.approximating {
+            true => growth * growth,
+            false => growth,
+        };
+        samples >= often * self.selection.samples as f64 && samples >= growth * growth
     }
 
     /// Selects the best hypotheses after an answer was told, and remembers that.
@@ -203,8 +208,10 @@ impl<R: Real> VersionSpace<'_, R> {
         let length = self.committee.length(&self.forms);
         let explained = self.is_explained();
         self.approximating = false;
-        // A long explanation is compared with one that takes some answers for wrong ones, late.
-        let doubtful = length > tuning.long && self.calls_left() <= self.judge_from();
+        // A long explanation, or that of a log, is compared with one that takes some answers for
+        // wrong ones, late.
+        let long = length > tuning.long || self.report.observed > 0;
+        let doubtful = long && self.calls_left() <= self.judge_from();
         if early || self.unasked.is_some() || !self.influence || (explained && !doubtful) {
             return;
         }

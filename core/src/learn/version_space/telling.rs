@@ -1,8 +1,8 @@
 //! Taking answers in, to questions and to what nobody asked.
 
 use super::bound::Bound;
-use super::clause::Clause;
 use super::certificate::Certificate;
+use super::clause::Clause;
 use super::forms::Origin;
 use super::hypothesis::Hypothesis;
 use super::query::Phase;

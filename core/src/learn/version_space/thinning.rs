@@ -5,9 +5,9 @@
 //! is kept, as if nothing else had been told; a log of any length leaves a sample of itself in
 //! which as many outcomes are wrong as in the whole.
 
-use super::{Step, VersionSpace};
 use super::bound::Bound;
 use super::forms::SampleSet;
+use super::{Step, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::Problem;
