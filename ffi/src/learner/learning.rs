@@ -58,7 +58,8 @@ pub type critreg_simulate = Option<
 ///
 /// @param learner The learner.
 /// @param instances The problem instances, one behind the other: count times one
-/// number per attribute. They must be the same in all calls; others may be appended,
+/// number per attribute, as the program has them or as critreg_choose_instances() chose them of
+/// very many. They must be the same in all calls; others may be appended,
 /// as far as there is room for them: what was told is then taken in again.
 /// @param count How many instances there are, at least one.
 /// @param simulate Tries a sample.

@@ -7,6 +7,7 @@
 //! | [`handle`] | a learner in the caller's memory |
 //! | `layout`, `tables` | where its parts lie |
 //! | [`making`] | making one |
+//! | [`choosing`] | choosing instances of a source |
 //! | [`outcome`] | what came of a trial, as C says it |
 //! | [`learning`] | asking and telling |
 //! | [`questions`] | several questions at once |
@@ -16,6 +17,7 @@
 //! | [`saving`] | saving a run and resuming it |
 
 pub(crate) mod any;
+pub mod choosing;
 pub mod config;
 pub mod handle;
 pub mod inspection;

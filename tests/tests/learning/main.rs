@@ -2,6 +2,7 @@
 
 mod actions;
 mod bodies;
+mod choosing;
 mod damage;
 mod growing;
 mod large_numbers;

@@ -74,6 +74,7 @@
 //! | `committee` | the hypotheses that are known, and their votes |
 //! | `selection` | repairing and selecting hypotheses |
 //! | `describe`, `name` | clauses in words of the domain |
+//! | `choosing` | instances of a source that are learned from |
 //! | `open`, `telling`, `growing`, `thinning` | questions that are open; taking answers in; instances that arrive; logs that are longer than the table |
 //! | `query/` | which sample to ask about, a file for each strategy |
 //! | `tuning` | all numbers that decide what is learned |
@@ -81,6 +82,7 @@
 mod approximate;
 mod bound;
 mod certificate;
+mod choosing;
 mod clause;
 mod committee;
 mod config;

@@ -10,6 +10,7 @@
 //! is done per form is one subtraction and two comparisons, in long runs over
 //! neighbouring right sides.
 
+mod compare;
 mod exclusions;
 mod interval;
 mod layout;
