@@ -165,7 +165,8 @@
  *     go on with it              critreg_learner_resume(), then critreg_open_questions()
  *
  * None of them waits. A learner belongs to one thread at a time: with threads, lock it while
- * one of these runs, and not while a trial does (c_examples/thread_pool.c). Questions that are
+ * one of these runs, and not while a trial does (c_examples/thread_pool.c; on a cluster, with
+ * MPI: c_examples/mpi.c). Questions that are
  * open at once know of each other; still an answer that comes late could not help to choose
  * those asked meanwhile. With 16 workers it takes 1.2 to 1.6 times as many trials, and a
  * fourteenth of the time. Answers are taken in the order of the questions, so the run does not
@@ -173,7 +174,8 @@
  *
  * For a trial that crashed or ran out of time tell CRITREG_UNKNOWN. Append
  * critreg_learner_journal() to a file after every answer: what was told then survives a
- * crash, even one that tears the last record. critreg_learner_save() keeps the open questions
+ * crash, even one that tears the last record. With several questions open an answer waits for
+ * those before it until the learner asks next, so append after asking. critreg_learner_save() keeps the open questions
  * and answers that wait, too. Both resume with more calls, more memory, on another machine,
  * and with instances appended.
  *
