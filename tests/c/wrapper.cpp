@@ -194,6 +194,11 @@ static void questions() {
 
 static void asking() {
     critreg::Learner learner = new_learner();
+    const auto chosen = learner.choose_instances(
+        9, [](std::size_t number, double *wall) { wall[0] = double(number), wall[1] = 0.0; }, 4);
+    EXPECT_TRUE(chosen.size() == 8 && chosen[0] == 0.0 && chosen[7] == 0.0);
+    EXPECT_TRUE(thrown([&] { (void)learner.choose_instances(0, [](std::size_t, double *) {}, 4); }) ==
+                Status::invalid_argument);
     double theta[1];
     const std::size_t instance = learner.ask(walls, theta);
     const critreg::Query query = learner.ask(walls);
@@ -201,9 +206,6 @@ static void asking() {
     EXPECT_TRUE(thrown([&] { learner.tell(walls, 7); }) == Status::invalid_argument);
     EXPECT_TRUE(thrown([&] { learner.tell(walls, (1LL << 32) + 1); }) == Status::invalid_argument);
     learner.tell(walls, works(&walls[2 * instance], theta));
-    const auto chosen = learner.choose_instances(
-        9, [](std::size_t number, double *wall) { wall[0] = double(number), wall[1] = 0.0; }, 4);
-    EXPECT_TRUE(chosen.size() == 8 && chosen[0] == 0.0 && chosen[7] == 0.0);
     learner.observe(walls, 0, {0.5}, true);
     learner.observe(walls, critreg::Query{1, {3.9}}, CRITREG_INFEASIBLE);
     learner.conclude(walls);

@@ -226,7 +226,8 @@ impl<R: Real> VersionSpace<'_, R> {
         // Where nobody asks and nothing explains all answers, the next selection does it.
         let told = trial.purpose == Purpose::Told;
         let waits = told && (self.approximating || !self.committee.is_consistent());
-        let moved = !waits && !(told && self.is_settled(trial)) && self.repair_best();
+        let stays = waits || (told && self.is_settled(trial));
+        let moved = !stays && self.repair_best();
         self.count(trial);
         if self.approximating {
             return;
