@@ -233,10 +233,10 @@ fn offer<R: Real>(
             move_last(&mut best, place);
         }
     });
-    for (_, form) in best {
-        if !pool.contains(&form) {
+    for (_, form) in &best {
+        if !pool.contains(form) {
             // There is room for those of each clause.
-            let _ = pool.push(form);
+            let _ = pool.push(*form);
         }
     }
 }
