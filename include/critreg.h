@@ -2632,7 +2632,8 @@ critreg_status critreg_ask(struct critreg_learner *learner,
  * ```
  *
  * With noise, what was asked for is asked again until its outcome is beyond doubt; what was
- * not is taken at its word, and wrong outcomes make the region an approximate one.
+ * not is taken at its word, and wrong outcomes make the region an approximate one, which is
+ * judged by a quarter of what was not asked for.
  *
  * A log may be longer than critreg_config.observations: when these are used up, of what was
  * not asked everything near the bounds of the region is kept and elsewhere every second

@@ -186,7 +186,7 @@ impl<R: Real> VersionSpace<'_, R> {
             length: self.committee.length(&self.forms),
             samples: self.forms.samples(),
         };
-        self.approximate();
+        self.approximate(current);
         self.rebuild_region(domain);
         self.judge_by_log();
     }
@@ -201,7 +201,7 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Looks for a region that explains most answers, if it is time for that and there is
     /// none that explains all in few words.
     #[inline(never)]
-    fn approximate(&mut self) {
+    fn approximate(&mut self, thorough: bool) {
         let tuning = self.config.tuning;
         let told = self.observations.len() as f64;
         let early = told < tuning.give_up * f64::from(self.config.calls);
@@ -210,7 +210,7 @@ impl<R: Real> VersionSpace<'_, R> {
         self.approximating = false;
         // A long explanation, or that of a log, is compared with one that takes some answers for
         // wrong ones, late.
-        let long = length > tuning.long || self.report.observed > 0;
+        let long = length > tuning.long || (thorough && self.report.observed > 0);
         let doubtful = long && self.calls_left() <= self.judge_from();
         if early || self.unasked.is_some() || !self.influence || (explained && !doubtful) {
             return;
