@@ -164,11 +164,13 @@
  *     several at a time          critreg_ask_many(), critreg_tell_id()
  *     a worker was lost          critreg_forget()
  *     trials of somebody else    critreg_observe(), critreg_conclude()
+ *     thousands of instances     critreg_choose_instances()
  *     save the run               critreg_learner_save(), critreg_learner_journal()
  *     go on with it              critreg_learner_resume(), then critreg_open_questions()
  *
  * None of them waits. A learner belongs to one thread at a time: with threads, lock it while
- * one of these runs, and not while a trial does (c_examples/thread_pool.c). Questions that are
+ * one of these runs, and not while a trial does (c_examples/thread_pool.c; on a cluster, with
+ * MPI: c_examples/mpi.c). Questions that are
  * open at once know of each other; still an answer that comes late could not help to choose
  * those asked meanwhile. With 16 workers it takes 1.2 to 1.6 times as many trials, and a
  * fourteenth of the time. Answers are taken in the order of the questions, so the run does not
@@ -176,7 +178,8 @@
  *
  * For a trial that crashed or ran out of time tell CRITREG_UNKNOWN. Append
  * critreg_learner_journal() to a file after every answer: what was told then survives a
- * crash, even one that tears the last record. critreg_learner_save() keeps the open questions
+ * crash, even one that tears the last record. With several questions open an answer waits for
+ * those before it until the learner asks next, so append after asking. critreg_learner_save() keeps the open questions
  * and answers that wait, too. Both resume with more calls, more memory, on another machine,
  * and with instances appended.
  *
@@ -1527,6 +1530,22 @@ typedef struct critreg_config {
 } critreg_config;
 
 /**
+ * Makes an instance of a source: a task of a generator, a scene of a data set.
+ *
+ * It must return, as a critreg_simulate must, and may not use the learner.
+ *
+ * @param user_data What the program passed to critreg_choose_instances().
+ * @param number Which instance, from 0. The same number makes the same instance.
+ * @param instance Receives it: one number per attribute. Points to a number also where the
+ * domain has no objects.
+ * @return CRITREG_OK, or anything else to stop; that becomes the status of
+ * critreg_choose_instances().
+ */
+typedef critreg_status (*critreg_make_instance)(void *user_data,
+                                                size_t number,
+                                                double *instance);
+
+/**
  * What came of a trial: CRITREG_INFEASIBLE, CRITREG_FEASIBLE, CRITREG_UNKNOWN or
  * CRITREG_FAILED_STEP(k); see OUTCOMES above.
  */
@@ -2581,6 +2600,47 @@ critreg_status critreg_learner_parameter_count(const struct critreg_learner *lea
                                                size_t *count);
 
 /**
+ * Chooses instances of a source that can make thousands, and writes them into an array for
+ * critreg_learn_region(), critreg_ask() and all others that take instances: as many as there
+ * is room for, those that differ most. Where instances are alike, a condition that holds in all
+ * of them by chance looks as good as the one that matters. Only what is chosen takes memory.
+ *
+ * The source is divided into as many parts as there is room for instances, and of each the one
+ * is taken that differs most from those before, in what the learner measures: distances,
+ * coordinates, angles. Every instance is made two or three times. The same source makes the same
+ * choice.
+ *
+ * ```c
+ * static double instances[64 * NUMBERS];
+ * size_t count;
+ * CHECK(critreg_choose_instances(learner, 1000, make_task, NULL, instances, 64, &count));
+ * CHECK(critreg_learn_region(learner, instances, count, try_grasp, NULL, &region));
+ * ```
+ *
+ * @param learner The learner, of which nothing was asked and nothing told;
+ * CRITREG_VERSION_SPACE.
+ * @param offered How many instances the source has.
+ * @param make Makes one.
+ * @param user_data Passed to make.
+ * @param instances Receives the chosen ones, one behind the other. If the call fails, it holds
+ * anything.
+ * @param room For how many there is room; no more than critreg_config.instances are written.
+ * @param count Receives how many there are.
+ * @return CRITREG_OUT_OF_SEQUENCE after something was asked or told;
+ * CRITREG_INVALID_ARGUMENT if there is no instance, no room for one, or CRITREG_ALGORITHM1;
+ * CRITREG_NOT_FINITE for a number of an instance; what make returned if that is not CRITREG_OK;
+ * CRITREG_BUSY from a callback; CRITREG_NULL_POINTER, CRITREG_MISALIGNED,
+ * CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_choose_instances(struct critreg_learner *learner,
+                                        size_t offered,
+                                        critreg_make_instance make,
+                                        void *user_data,
+                                        double *instances,
+                                        size_t room,
+                                        size_t *count);
+
+/**
  * Learns a region by trying samples with a simulator until the learner has
  * nothing more to ask. It is the loop critreg_ask(), simulate(), critreg_tell().
  *
@@ -2601,7 +2661,8 @@ critreg_status critreg_learner_parameter_count(const struct critreg_learner *lea
  *
  * @param learner The learner.
  * @param instances The problem instances, one behind the other: count times one
- * number per attribute. They must be the same in all calls; others may be appended,
+ * number per attribute, as the program has them or as critreg_choose_instances() chose them of
+ * very many. They must be the same in all calls; others may be appended,
  * as far as there is room for them: what was told is then taken in again.
  * @param count How many instances there are, at least one.
  * @param simulate Tries a sample.
@@ -2682,7 +2743,8 @@ critreg_status critreg_ask(struct critreg_learner *learner,
  * ```
  *
  * With noise, what was asked for is asked again until its outcome is beyond doubt; what was
- * not is taken at its word, and wrong outcomes make the region an approximate one.
+ * not is taken at its word, and wrong outcomes make the region an approximate one, which is
+ * judged by a quarter of what was not asked for.
  *
  * A log may be longer than critreg_config.observations: when these are used up, of what was
  * not asked everything near the bounds of the region is kept and elsewhere every second

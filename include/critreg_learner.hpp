@@ -107,6 +107,35 @@ public:
     [[nodiscard]] std::size_t parameter_count() const noexcept { return parameter_count_; }
 
     /**
+     * Chooses instances of a source that can make so many: make(std::size_t number, double
+     * *instance) writes one, and what it throws is thrown on. Returns those that differ most, one
+     * behind the other, as many as there is room for and no more than that; before anything is
+     * asked or told.
+     */
+    template <class Make>
+    Returned<std::vector<double>> choose_instances(std::size_t offered, Make &&make,
+                                                   std::size_t room) {
+        struct Call {
+            std::remove_reference_t<Make> &make;
+            detail::Caught caught;
+        } call{make, {}};
+        auto made = [](void *user_data, std::size_t number, double *instance) -> critreg_status {
+            Call &own = *static_cast<Call *>(user_data);
+            return own.caught.run([&]() -> critreg_status {
+                own.make(number, instance);
+                return CRITREG_OK;
+            });
+        };
+        std::vector<double> instances(room * instance_len());
+        std::size_t count = 0;
+        const Failure failure = explained(critreg_choose_instances(
+            handle(), offered, made, &call, instances.data(), room, &count));
+        call.caught.rethrow();
+        instances.resize(count * instance_len());
+        return Errors::give(failure, [&] { return std::move(instances); });
+    }
+
+    /**
      * Learns with a simulator: simulate(const double *instance, const double *theta)
      * returns a bool, whether the action works, or a critreg_outcome. After each sample
      * progress(const critreg_report &) returns a Status. What they throw ends learning and

@@ -54,6 +54,54 @@ static void chain(void)
     }
 }
 
+/* A source of a hundred walls, of which one is far away from all others. */
+static critreg_status make_wall(void *user_data, size_t number, double *instance)
+{
+    if (user_data != NULL && number == 50)
+        return *(critreg_status *)user_data;
+    instance[0] = 1.0 + 0.02 * (double)number;
+    instance[1] = number == 77 ? 9.0 : 0.0;
+    return CRITREG_OK;
+}
+
+static void source(void)
+{
+    critreg_learner *learner = learner_for(1, 40, 0.0);
+    const critreg_region *region = NULL;
+    critreg_status stop = CRITREG_CANCELLED;
+    double walls[2 * 8], again[2 * 8];
+    size_t count = 0, i, far = 0;
+    char text[64] = "";
+
+    EXPECT(CRITREG_CANCELLED,
+           critreg_choose_instances(learner, 100, make_wall, &stop, walls, 8, &count));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_choose_instances(learner, 0, make_wall, NULL, walls, 8, &count));
+    EXPECT(CRITREG_INVALID_ARGUMENT,
+           critreg_choose_instances(learner, 100, make_wall, NULL, walls, 0, &count));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_choose_instances(learner, 100, NULL, NULL, walls, 8, &count));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_choose_instances(learner, 100, make_wall, NULL, NULL, 8, &count));
+    EXPECT(CRITREG_NULL_POINTER,
+           critreg_choose_instances(learner, 100, make_wall, NULL, walls, 8, NULL));
+    EXPECT_TRUE(count == 0);
+    OK(critreg_choose_instances(learner, 100, make_wall, NULL, walls, 8, &count));
+    /* The configuration has room for no more. */
+    EXPECT_TRUE(count == INSTANCES);
+    OK(critreg_choose_instances(learner, 100, make_wall, NULL, again, 8, &count));
+    for (i = 0; i < count; i++) {
+        EXPECT_TRUE(again[2 * i] == walls[2 * i] && again[2 * i + 1] == walls[2 * i + 1]);
+        far += walls[2 * i + 1] == 9.0;
+    }
+    EXPECT_TRUE(far == 1);
+    OK(critreg_learn_region(learner, walls, count, reach, NULL, &region));
+    OK(critreg_region_format(region, text, sizeof text, NULL));
+    EXPECT_TRUE(strcmp(text, "reach - wall.x <= -0.1 (-hand.radius)") == 0);
+    EXPECT(CRITREG_OUT_OF_SEQUENCE,
+           critreg_choose_instances(learner, 100, make_wall, NULL, walls, 8, &count));
+}
+
 /* Every tenth answer is wrong, as it happens. */
 static critreg_status reach_mostly(void *user_data, const double *instance, const double *theta,
                                    critreg_outcome *outcome)
@@ -263,6 +311,7 @@ static void journal(void)
 int main(void)
 {
     chain();
+    source();
     passive();
     journal();
     noise();

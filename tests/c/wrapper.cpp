@@ -209,6 +209,11 @@ static void questions() {
 
 static void asking() {
     critreg::Learner learner = new_learner();
+    const auto chosen = learner.choose_instances(
+        9, [](std::size_t number, double *wall) { wall[0] = double(number), wall[1] = 0.0; }, 4);
+    EXPECT_TRUE(chosen.size() == 8 && chosen[0] == 0.0 && chosen[7] == 0.0);
+    EXPECT_TRUE(thrown([&] { (void)learner.choose_instances(0, [](std::size_t, double *) {}, 4); }) ==
+                Status::invalid_argument);
     double theta[1];
     const std::size_t instance = learner.ask(walls, theta);
     const critreg::Query query = learner.ask(walls);

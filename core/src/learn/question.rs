@@ -27,13 +27,20 @@ pub struct Question {
 impl Question {
     /// The question with this serial number: it stands above a checksum of the sample.
     pub(super) fn new(serial: u32, query: Query) -> Question {
+        let id = u64::from(serial) << 32 | u64::from(query.checksum());
+        Question { id, query }
+    }
+}
+
+impl Query {
+    /// A checksum of the sample.
+    pub(super) fn checksum(&self) -> u32 {
         let mut digest = CHECKSUM.digest();
-        digest.update(&(query.instance as u64).to_le_bytes());
-        for value in query.theta {
+        digest.update(&(self.instance as u64).to_le_bytes());
+        for value in self.theta {
             digest.update(&value.to_bits().to_le_bytes());
         }
-        let id = u64::from(serial) << 32 | u64::from(digest.finalize());
-        Question { id, query }
+        digest.finalize()
     }
 }
 

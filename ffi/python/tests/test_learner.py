@@ -166,6 +166,20 @@ class Learning(unittest.TestCase):
         region = learner.learn(try_grasp)
         self.assertEqual(region.text, "grasp.y <= 2.9 (zone.top - robot.radius)")
 
+    def test_instances_of_a_source(self):
+        learner = critreg.Learner(DOMAIN, INSTANCES[:1])
+        with self.assertRaises(ZeroDivisionError):
+            learner.choose_instances(lambda number: [1 / number, 0, 0], 4)
+        with self.assertRaises(ValueError):
+            learner.choose_instances(lambda number: [], 4)
+        self.assertEqual(learner.instances, INSTANCES[:1])
+        offered = 4 * INSTANCES
+        learner.choose_instances(lambda number: offered[number], len(offered), room=4)
+        self.assertEqual(len(learner.instances), 4)
+        for own in learner.instances:
+            self.assertIn(list(own), [list(each) for each in INSTANCES])
+        learner.learn(try_grasp)
+
     def test_chains_and_unknown_outcomes(self):
         learner, calls = critreg.Learner(DOMAIN, INSTANCES, steps=2), []
 

@@ -37,27 +37,30 @@ pub(crate) unsafe fn slice<'a, T>(
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
 }
 
-/// The `count` bytes at a pointer, which may be NULL if there are none, set to zero.
+/// The `count` values at a pointer, which may be NULL if there are none, set to zero.
 ///
 /// # Safety
-/// If it is not NULL, `count` bytes can be written there for `'a`, and nothing else refers
-/// to them.
-pub(crate) unsafe fn bytes<'a>(
-    pointer: *mut u8,
+/// If it is not NULL and aligned, `count` values can be written there for `'a`, and nothing
+/// else refers to them.
+pub(crate) unsafe fn zeros<'a, T: Default>(
+    pointer: *mut T,
     count: usize,
     name: &'static str,
-) -> Fallible<&'a mut [u8]> {
+) -> Fallible<&'a mut [T]> {
     if count == 0 {
         return Ok(&mut []);
     }
     check(pointer, name)?;
-    if count > isize::MAX as usize {
+    let bytes = count.checked_mul(size_of::<T>());
+    if bytes.is_none_or(|bytes| bytes > isize::MAX as usize) {
         return Err(Failure::invalid("an array is longer than memory can be"));
     }
     // SAFETY: checked; writable by this function's contract, and initialised before a
     // reference to them is made.
     unsafe {
-        core::ptr::write_bytes(pointer, 0, count);
+        for place in 0..count {
+            pointer.add(place).write(T::default());
+        }
         Ok(core::slice::from_raw_parts_mut(pointer, count))
     }
 }

@@ -1,5 +1,8 @@
 //! What all learners of the core have in common for C.
 
+#[cfg(feature = "algorithm1")]
+use crate::boundary::status::Failure;
+use crate::boundary::status::Fallible;
 use crate::learner::quality::number;
 use crate::learner::report::critreg_report;
 #[cfg(feature = "algorithm1")]
@@ -72,6 +75,15 @@ pub(crate) trait AnyLearner: Learner {
     /// What supports each constraint of the region, in their order; empty if the
     /// learner does not know.
     fn evidence(&self) -> &[Evidence];
+
+    /// Chooses instances of a source, see [`VersionSpace::choose_instances`].
+    fn choose_instances(
+        &mut self,
+        domain: &Domain<'_>,
+        offered: usize,
+        make: &mut dyn FnMut(usize, &mut [f64]) -> Fallible,
+        chosen: &mut [f64],
+    ) -> Fallible<usize>;
 }
 
 #[cfg(feature = "algorithm1")]
@@ -107,6 +119,18 @@ impl<R: Real> AnyLearner for Algorithm1<'_, R> {
     fn evidence(&self) -> &[Evidence] {
         &[]
     }
+
+    fn choose_instances(
+        &mut self,
+        _domain: &Domain<'_>,
+        _offered: usize,
+        _make: &mut dyn FnMut(usize, &mut [f64]) -> Fallible,
+        _chosen: &mut [f64],
+    ) -> Fallible<usize> {
+        Err(Failure::invalid(
+            "this learner does not choose instances: use CRITREG_VERSION_SPACE",
+        ))
+    }
 }
 
 impl<R: Real> AnyLearner for VersionSpace<'_, R> {
@@ -132,5 +156,15 @@ impl<R: Real> AnyLearner for VersionSpace<'_, R> {
 
     fn evidence(&self) -> &[Evidence] {
         VersionSpace::evidence(self)
+    }
+
+    fn choose_instances(
+        &mut self,
+        domain: &Domain<'_>,
+        offered: usize,
+        make: &mut dyn FnMut(usize, &mut [f64]) -> Fallible,
+        chosen: &mut [f64],
+    ) -> Fallible<usize> {
+        VersionSpace::choose_instances(self, domain, offered, make, chosen)
     }
 }

@@ -58,7 +58,8 @@ pub type critreg_simulate = Option<
 ///
 /// @param learner The learner.
 /// @param instances The problem instances, one behind the other: count times one
-/// number per attribute. They must be the same in all calls; others may be appended,
+/// number per attribute, as the program has them or as critreg_choose_instances() chose them of
+/// very many. They must be the same in all calls; others may be appended,
 /// as far as there is room for them: what was told is then taken in again.
 /// @param count How many instances there are, at least one.
 /// @param simulate Tries a sample.
@@ -202,7 +203,8 @@ pub unsafe extern "C" fn critreg_ask(
 /// ```
 ///
 /// With noise, what was asked for is asked again until its outcome is beyond doubt; what was
-/// not is taken at its word, and wrong outcomes make the region an approximate one.
+/// not is taken at its word, and wrong outcomes make the region an approximate one, which is
+/// judged by a quarter of what was not asked for.
 ///
 /// A log may be longer than critreg_config.observations: when these are used up, of what was
 /// not asked everything near the bounds of the region is kept and elsewhere every second

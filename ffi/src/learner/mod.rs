@@ -8,6 +8,7 @@
 //! | [`handle`] | a learner in the caller's memory |
 //! | `layout`, `tables` | where its parts lie |
 //! | [`making`] | making one |
+//! | [`choosing`] | choosing instances of a source |
 //! | [`outcome`] | what came of a trial, as C says it |
 //! | [`learning`] | asking and telling |
 //! | [`challenge`] | what is learned, held against what is specified |
@@ -21,6 +22,7 @@
 pub(crate) mod any;
 pub mod challenge;
 pub mod check;
+pub mod choosing;
 pub mod config;
 pub mod handle;
 pub mod inspection;

@@ -4,7 +4,7 @@ use crate::boundary::handle;
 use crate::boundary::pointer;
 use crate::boundary::precision::{CRITREG_F32, CRITREG_F64};
 use crate::boundary::status::{Failure, critreg_status};
-use crate::boundary::text::{self, Nowhere};
+use crate::boundary::text;
 use crate::region::handle::critreg_region;
 use core::ffi::c_char;
 use core::fmt;

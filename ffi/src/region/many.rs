@@ -36,7 +36,7 @@ pub unsafe extern "C" fn critreg_region_contains_many(
             let numbers =
                 numbers.ok_or(Failure::invalid("an array is longer than memory can be"))?;
             let thetas = pointer::slice(thetas, numbers, "thetas")?;
-            let inside = pointer::bytes(inside, count, "inside")?;
+            let inside = pointer::zeros(inside, count, "inside")?;
             in_precision!(handle.precision, R => {
                 handle.ground::<R>(instance)?.contains_many(thetas, inside)?
             });

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 48] = [
+const SOURCES: [&str; 49] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",
@@ -17,6 +17,7 @@ const SOURCES: [&str; 48] = [
     "learner/check.rs",
     "learner/handle.rs",
     "learner/making.rs",
+    "learner/choosing.rs",
     "learner/outcome.rs",
     "learner/learning.rs",
     "learner/questions.rs",

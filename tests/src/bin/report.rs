@@ -15,6 +15,9 @@
 //!
 //! What is proven of regions in all instances at once: `report -- proof`.
 //!
+//! What more problem instances teach, with the same number of calls:
+//! `report -- instances [--seeds N] [--first N] [--only <part of a name>]`.
+//!
 //! How much the numbers matter that decide what is learned:
 //! `report -- sensitivity [--seeds N] [--first N] [--only <part of a name>]`.
 
@@ -26,6 +29,7 @@ const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n 
      [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]\n       report \
      parallel [--seeds N] [--first N]\n       report \
      passive [--seeds N] [--first N] [--log N] [--noise SHARE]\n       report \
+     instances [--seeds N] [--first N] [--only <part of a name>]\n       report \
      sensitivity [--seeds N] [--first N] [--only <part of a name>]";
 
 struct Options {
@@ -93,6 +97,7 @@ fn seeded() -> Option<()> {
     match name.as_str() {
         "sensitivity" => report::sensitivity(seeds, first, &only),
         "parallel" => report::parallel(seeds, first),
+        "instances" => report::instances(seeds, first, &only),
         "passive" => report::passive(seeds, first, log, noise),
         _ => return None,
     }

@@ -1,6 +1,7 @@
 //! How often the learners find the true region, measured by the simulator.
 
 mod domains;
+mod instances;
 mod judge;
 mod judged;
 mod parallel;
@@ -17,6 +18,7 @@ mod synthetic;
 mod table;
 
 pub use domains::{NAMES as DOMAINS, print as domains, train, training};
+pub use instances::print as instances;
 pub use judge::{Score, Truth};
 pub use parallel::print as parallel;
 pub use passive::print as passive;

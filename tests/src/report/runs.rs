@@ -77,10 +77,28 @@ pub fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
 /// Whether the region that the default learner ends with is exact.
 pub(super) fn is_exact(scenario: &Scenario, truth: &Truth, seed: u64, config: Config) -> bool {
     let instances = scenario.draw(seed, scenario.instances);
-    let domain = &scenario.domain;
-    let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
     let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
-    let mut learner = room.learner(domain, config).expect("enough room");
+    let learner = room.learner(&scenario.domain, config).expect("enough room");
+    is_exact_in(
+        learner,
+        scenario,
+        truth,
+        seed,
+        (&instances, scenario.instances),
+    )
+}
+
+/// Whether the region that a learner ends with is exact, if it learns in these instances, so
+/// many.
+pub(super) fn is_exact_in<L: Learner>(
+    mut learner: L,
+    scenario: &Scenario,
+    truth: &Truth,
+    seed: u64,
+    (instances, count): (&[f64], usize),
+) -> bool {
+    let domain = &scenario.domain;
+    let problem = Problem::new(domain, instances, count).expect("valid instances");
     ask_and_tell(&mut learner, scenario, &problem, seed, |_, _| ());
     let region = learner.region();
     region.is_ok_and(|region| truth.full_score(domain, region).is_exact())

@@ -3,6 +3,7 @@
 mod actions;
 mod bodies;
 mod challenge;
+mod choosing;
 mod damage;
 mod growing;
 mod large_numbers;

@@ -107,6 +107,56 @@ fn a_log_determines_a_region() {
     );
 }
 
+/// Of a log some outcomes are wrong, which nobody said; it is longer than the table.
+#[test]
+fn a_log_with_wrong_outcomes_determines_a_region() {
+    let domain = Domain::parse(SHELF).unwrap();
+    let instances = shelves(3, INSTANCES);
+    let problem = Problem::new(&domain, &instances, INSTANCES).unwrap();
+    let (mut first, mut second) = (room(1000), room(1000));
+    let config = Config {
+        calls: 0,
+        ..Config::default()
+    };
+    let mut learner = first.learner(&domain, config).unwrap();
+    let mut rng = generator(13);
+    for _ in 0..3000 {
+        let query = anywhere(&mut rng, INSTANCES);
+        let wrong = uniform_in(&mut rng, 0.0, 1.0) < 0.02;
+        let outcome = Outcome::from_feasible(fits(&problem, &query).is_feasible() != wrong);
+        learner.observe(&problem, &query, outcome).unwrap();
+    }
+    learner.conclude(&problem).unwrap();
+    assert_eq!(learner.quality(), Quality::Approximate);
+    // What was put aside judges it, and some of that is wrong, too.
+    let report = learner.report();
+    let (lower, upper) = report.precision(config.confidence).unwrap();
+    assert!(report.certificate.draws >= 50, "{report:?}");
+    assert!(lower > 0.85 && upper > 0.95, "{lower} {upper}");
+    let region = learner.region().unwrap();
+    // It is right where no answer was ever wrong: in instances that nobody saw.
+    let unseen = shelves(5, 200);
+    let other = Problem::new(&domain, &unseen, 200).unwrap();
+    let (mut inside, mut right, mut found, mut all) = (0, 0, 0, 0);
+    for _ in 0..20_000 {
+        let query = anywhere(&mut rng, 200);
+        let values = other.instance(query.instance).unwrap();
+        let admitted = region.contains::<f64>(&domain, values, &query.theta[..2]);
+        let (admitted, works) = (admitted.unwrap(), fits(&other, &query).is_feasible());
+        inside += usize::from(admitted);
+        right += usize::from(admitted && works);
+        all += usize::from(works);
+        found += usize::from(works && admitted);
+    }
+    assert!(right as f64 >= 0.98 * inside as f64, "{right} of {inside}");
+    assert!(found as f64 >= 0.98 * all as f64, "{found} of {all}");
+
+    let mut again = second.learner(&domain, config).unwrap();
+    resume(&mut again, &problem, &saved(&learner, &problem)).unwrap();
+    assert_eq!(again.report(), learner.report());
+    assert_eq!(again.region(), learner.region());
+}
+
 #[test]
 fn demonstrations_alone_prove_nothing() {
     let domain = Domain::parse(SHELF).unwrap();

@@ -16,22 +16,26 @@ use heapless::Vec;
 
 /// By how much more a sample counts that is admitted wrongly than one that is missed.
 const CAUTIONS: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 19.0];
-/// Most feasible samples that one bound may miss.
-const MISSED: usize = 16;
-/// Forms that clauses are chosen from, after all have been looked at once.
-const POOL: usize = 256;
+/// Most feasible samples that one bound may miss, of few and of very many.
+const MISSED: [usize; 2] = [16, 64];
+/// So many samples that work, and so many that do not, tell which forms are worth a closer look.
+const ENOUGH: usize = 256;
+/// Forms that are offered for each clause.
+const OF_EACH: usize = 64;
+/// Forms that clauses are chosen from, after all have been looked at for each.
+const POOL: usize = OF_EACH * MAX_CLAUSES;
 /// How often each clause is chosen anew.
 const ROUNDS: usize = 2;
 
 /// What a hypothesis makes of the samples.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Fit {
+struct Fit {
     /// Feasible samples that it admits.
-    pub(super) feasible: f64,
+    feasible: f64,
     /// Infeasible ones.
-    pub(super) infeasible: f64,
+    infeasible: f64,
     /// Samples that it is wrong about.
-    pub(super) wrong: u32,
+    wrong: u32,
 }
 
 impl Fit {
@@ -49,13 +53,22 @@ struct Cut<R> {
     gain: f64,
 }
 
+/// What it is worth to be right about samples.
+#[derive(Clone, Copy)]
+struct Worth {
+    /// By how much more one counts that is admitted wrongly than one that is missed.
+    caution: f64,
+    /// The bits of one that is missed.
+    each: f64,
+}
+
 impl<R: Real> Hypothesis<R> {
     /// Makes it the largest whose share of feasible samples is `wanted`, or as much of that
     /// as there is. Samples that were not drawn at random, but lie near a boundary, count
     /// less.
     #[inline(never)]
-    pub(super) fn approximate(&mut self, view: &StepView<'_, '_, R>, wanted: f64) -> Fit {
-        let pool = pool(view);
+    pub(super) fn approximate(&mut self, view: &StepView<'_, '_, R>, wanted: f64) {
+        let pool = self.pool(view);
         let mut best: Option<(Fit, Hypothesis<R>)> = None;
         for caution in CAUTIONS {
             self.grow(view, &pool, caution);
@@ -70,20 +83,40 @@ impl<R: Real> Hypothesis<R> {
             if better {
                 best = Some((fit, self.clone()));
             }
-        }
-        match best {
-            Some((fit, hypothesis)) => {
-                self.copy_from(&hypothesis);
-                self.consistent = fit.wrong == 0;
-                fit
+            if fit.precision() >= wanted {
+                // With more caution it would be smaller.
+                break;
             }
-            None => Fit::default(),
+        }
+        if let Some((fit, hypothesis)) = best {
+            self.copy_from(&hypothesis);
+            self.consistent = fit.wrong == 0;
         }
     }
 
     /// What it costs in bits: its description, and what it is wrong about.
-    pub(super) fn robust_length(&self, view: &StepView<'_, '_, R>, fit: &Fit) -> f64 {
-        self.length(view.forms) + view.forms.tuning().wrong * f64::from(fit.wrong)
+    pub(super) fn robust_length(&self, view: &StepView<'_, '_, R>) -> f64 {
+        let wrong = f64::from(self.fit(view).wrong);
+        self.length(view.forms) + view.forms.tuning().wrong * wrong
+    }
+
+    /// The forms that clauses are chosen from: those that pay most at first, and those that pay
+    /// most beside what was chosen of them. Variants of the clause that explains most would
+    /// leave no place for any other.
+    #[inline(never)]
+    fn pool(&mut self, view: &StepView<'_, '_, R>) -> Vec<DirectedForm, POOL> {
+        let mut pool = Vec::new();
+        self.clear();
+        while !self.clauses.is_full() {
+            let (feasible, infeasible) = self.admitted(view);
+            let each = feasible.len().max(infeasible.len()).div_ceil(ENOUGH);
+            let left = [&feasible.every(each), &infeasible.every(each)];
+            offer(view, left, each, &mut pool);
+            if !self.add(view, &pool, 1.0) {
+                break;
+            }
+        }
+        pool
     }
 
     /// Adds one bound after the other as long as that pays, then chooses each anew.
@@ -105,13 +138,17 @@ impl<R: Real> Hypothesis<R> {
     /// Adds the bound that pays most; `false` if none pays.
     fn add(&mut self, view: &StepView<'_, '_, R>, pool: &[DirectedForm], caution: f64) -> bool {
         let (feasible, infeasible) = self.admitted(view);
+        let worth = Worth {
+            caution,
+            each: view.forms.tuning().wrong,
+        };
         let mut best: Option<Cut<R>> = None;
         for form in pool {
             let clauses = &self.clauses;
             let mut known = clauses.iter().flat_map(Clause::bounds);
             let named = known.any(|bound| bound.form.index == form.index);
             let length = view.forms.bound_length(form, named);
-            if let Some(cut) = cut(view, form, [&feasible, &infeasible], (caution, length))
+            if let Some(cut) = cut(view, form, [&feasible, &infeasible], (worth, length))
                 && best.is_none_or(|best| cut.gain > best.gain)
             {
                 best = Some(cut);
@@ -165,14 +202,23 @@ impl<R: Real> Hypothesis<R> {
     }
 }
 
-/// The forms whose bounds alone pay most.
+/// Puts the forms into the pool whose bounds pay most where only these samples are left, each of
+/// which stands for so many; best ones first.
 #[inline(never)]
-fn pool<R: Real>(view: &StepView<'_, '_, R>) -> Vec<DirectedForm, POOL> {
-    let mut best: Vec<(f32, DirectedForm), POOL> = Vec::new();
+fn offer<R: Real>(
+    view: &StepView<'_, '_, R>,
+    left: [&SampleSet; 2],
+    each: usize,
+    pool: &mut Vec<DirectedForm, POOL>,
+) {
+    let worth = Worth {
+        caution: 1.0,
+        each: view.forms.tuning().wrong * each as f64,
+    };
+    let mut best: Vec<(f32, DirectedForm), OF_EACH> = Vec::new();
     view.forms.for_each(SUM_LEVEL, |form| {
         let length = view.forms.bound_length(&form, false);
-        let sets = [&view.feasible, &view.infeasible];
-        let Some(cut) = cut(view, &form, sets, (1.0, length)) else {
+        let Some(cut) = cut(view, &form, left, (worth, length)) else {
             return;
         };
         let gain = cut.gain as f32;
@@ -187,7 +233,12 @@ fn pool<R: Real>(view: &StepView<'_, '_, R>) -> Vec<DirectedForm, POOL> {
             move_last(&mut best, place);
         }
     });
-    crate::table::gather(best.iter().map(|(_, form)| *form))
+    for (_, form) in &best {
+        if !pool.contains(form) {
+            // There is room for those of each clause.
+            let _ = pool.push(*form);
+        }
+    }
 }
 
 /// Where a bound of a form pays most; `None` if it does not anywhere.
@@ -195,38 +246,42 @@ fn cut<R: Real>(
     view: &StepView<'_, '_, R>,
     form: &DirectedForm,
     [feasible, infeasible]: [&SampleSet; 2],
-    (caution, length): (f64, f64),
+    (worth, length): (Worth, f64),
 ) -> Option<Cut<R>> {
     // The values farthest out, from the outermost in: beyond each lie as many samples as
     // stand before it.
-    let mut ends: Vec<R, { MISSED + 1 }> = Vec::new();
+    let [few, many] = MISSED;
+    let missed = (feasible.len() / few).max(few).min(many);
+    let mut ends: Vec<R, { MISSED[1] + 1 }> = Vec::new();
     for sample in feasible.iter() {
         let value = view.value(form, sample);
-        if ends.is_full() {
+        if ends.len() > missed {
             if ends.last().is_none_or(|last| value <= *last) {
                 continue;
             }
             ends.pop();
         }
-        let place = ends.partition_point(|other| *other >= value);
         if ends.push(value).is_ok() {
-            move_last(&mut ends, place);
+            sink_last(&mut ends);
         }
     }
-    let mut counts = [0u32; MISSED + 1];
+    let mut counts = [0u32; MISSED[1] + 1];
     for sample in infeasible.iter() {
         let value = view.value(form, sample);
         let value = value - tolerance(value);
+        if ends.last().is_none_or(|last| value <= *last) {
+            continue;
+        }
         let place = ends.partition_point(|end| *end >= value);
         if let Some(count) = counts.get_mut(place) {
             *count += 1;
         }
     }
-    let wrong = view.forms.tuning().wrong;
     let (mut excluded, mut best) = (0, None::<Cut<R>>);
     for (missed, (end, count)) in ends.iter().zip(counts).enumerate() {
         excluded += count;
-        let gain = wrong * (caution * f64::from(excluded) - missed as f64) - length;
+        let samples = worth.caution * f64::from(excluded) - missed as f64;
+        let gain = worth.each * samples - length;
         // A distance of a group without members is infinite, which is no threshold.
         if end.is_finite() && gain > best.map_or(0.0, |best| best.gain) {
             best = Some(Cut {
@@ -237,4 +292,19 @@ fn cut<R: Real>(
         }
     }
     best
+}
+
+/// Moves the last value before those that are less, where the others are in order.
+fn sink_last<R: Real>(values: &mut [R]) {
+    let mut behind = values.iter_mut().rev();
+    let Some(mut last) = behind.next() else {
+        return;
+    };
+    for other in behind {
+        if *other >= *last {
+            return;
+        }
+        core::mem::swap(other, last);
+        last = other;
+    }
 }

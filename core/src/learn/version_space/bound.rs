@@ -63,8 +63,7 @@ impl<R: Real> Bound<R> {
         slack: f64,
     ) -> Option<Self> {
         let value = |sample: usize| view.value(&form, sample);
-        let last = view.feasible.iter().map(value);
-        let last = last.fold(R::NEG_INFINITY, R::max);
+        let last = view.last_feasible(&form);
         let first = view.first_of(&form, outside);
         let mut bound = Bound::new(form, last, first, range);
         if first > last + tolerance(last) {

@@ -9,7 +9,7 @@
 use super::bound::Bound;
 use super::clause::Clause;
 use super::disjunction::{best_disjunction, best_windows};
-use super::forms::{Forms, SampleSet, StepView};
+use super::forms::{Forms, SampleSet, StepView, tolerance};
 use super::greedy::{Randomisation, best_form};
 use crate::random::Generator;
 use crate::real::Real;
@@ -193,6 +193,18 @@ impl<R: Real> Hypothesis<R> {
         }
     }
 
+    /// Counts a sample more that its clauses exclude, at which its forms have these values.
+    pub(super) fn count(&mut self, value: impl Fn(&Bound<R>) -> R) {
+        let beyond = |own: &Bound<R>| {
+            let value = value(own);
+            value > own.inner + tolerance(value)
+        };
+        for clause in &mut self.clauses {
+            let excluded = clause.bounds().all(beyond);
+            clause.support += u32::from(excluded);
+        }
+    }
+
     /// Makes sure that one clause excludes a sample for every threshold between
     /// its bounds: that for which it lies farthest out.
     fn assign(&mut self, view: &StepView<'_, '_, R>, sample: usize) {
@@ -227,17 +239,19 @@ impl<R: Real> Hypothesis<R> {
         lengths.sum()
     }
 
+    /// Whether it admits a sample.
+    pub(super) fn admits(&self, view: &StepView<'_, '_, R>, sample: usize) -> bool {
+        let tuning = view.forms.tuning();
+        let holds = |bound: &Bound<R>| view.value(&bound.form, sample) <= bound.threshold(tuning);
+        let mut clauses = self.clauses.iter();
+        clauses.all(|clause| clause.bounds().any(holds))
+    }
+
     /// The samples that it is wrong about.
     pub(super) fn wrong(&self, view: &StepView<'_, '_, R>) -> impl Iterator<Item = usize> {
-        let tuning = view.forms.tuning();
-        let admits = move |sample: usize| {
-            let holds =
-                |bound: &Bound<R>| view.value(&bound.form, sample) <= bound.threshold(tuning);
-            let mut clauses = self.clauses.iter();
-            clauses.all(|clause| clause.bounds().any(holds))
-        };
-        let admitted = view.infeasible.iter().filter(move |sample| admits(*sample));
-        let missed = view.feasible.iter().filter(move |sample| !admits(*sample));
+        let admits = move |sample: &usize| self.admits(view, *sample);
+        let admitted = view.infeasible.iter().filter(admits);
+        let missed = view.feasible.iter().filter(move |sample| !admits(sample));
         admitted.chain(missed)
     }
 

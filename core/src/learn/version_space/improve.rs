@@ -77,10 +77,14 @@ impl<R: Real> Hypothesis<R> {
             if count < needed || shortest >= least {
                 return;
             }
-            new.bound.range = view.range(&form);
+            // How far the form ranges only matters for samples on the wrong side.
+            if count as usize != alone.len() {
+                new.bound.range = view.range(&form);
+            }
             if new.fit(view, &alone, objective.slack) {
                 let mut length = new.length(forms, others);
                 if length - forms.threshold_length() < least {
+                    new.bound.range = view.range(&form);
                     length += naming(&new);
                     if length < least {
                         (best, least) = (new, length);

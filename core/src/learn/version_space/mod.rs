@@ -74,6 +74,7 @@
 //! | `committee` | the hypotheses that are known, and their votes |
 //! | `selection` | repairing and selecting hypotheses |
 //! | `describe`, `name` | clauses in words of the domain |
+//! | `choosing` | instances of a source that are learned from |
 //! | `open`, `telling`, `growing`, `thinning` | questions that are open; taking answers in; instances that arrive; logs that are longer than the table |
 //! | `query/` | which sample to ask about, a file for each strategy |
 //! | `tuning` | all numbers that decide what is learned |
@@ -81,6 +82,7 @@
 mod approximate;
 mod bound;
 mod certificate;
+mod choosing;
 mod clause;
 mod committee;
 mod config;
@@ -384,7 +386,8 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         }
         // Where draws are on their way, the region stays what they are drawn from; and one that
         // was judged by what was told since is not exchanged for one that nobody judged.
-        let judged = self.approximating && self.quality() == Quality::Approximate;
+        let judged =
+            self.approximating && self.certifying && self.quality() == Quality::Approximate;
         let stays = self.since.late > 0 || judged;
         if !stays && !self.selection.is_of(self.forms.samples()) {
             self.select_again(problem.domain());

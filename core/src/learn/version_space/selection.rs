@@ -14,6 +14,14 @@ use crate::random::Generator;
 use crate::real::Real;
 use crate::table::{Blank, Table};
 
+/// Up to so many samples flatter a region that is chosen by them as [`Tuning::optimism`] says.
+///
+/// [`Tuning::optimism`]: super::Tuning::optimism
+const FLATTERED: f64 = 128.0;
+
+/// With more samples fewer hypotheses compete: each takes longer, and there is less choice.
+const MANY: usize = 256;
+
 /// When the best hypotheses were selected last.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Selection {
@@ -38,7 +46,12 @@ impl<R: Real> VersionSpace<'_, R> {
     pub(super) fn has_grown(&self) -> bool {
         let growth = self.config.tuning.observed_growth;
         let samples = self.forms.samples() as f64;
-        samples >= growth * self.selection.samples as f64 && samples >= growth * growth
+        // A region that is wrong about some answers is not refuted by a few more.
+        let often = match self.approximating {
+            true => growth * growth,
+            false => growth,
+        };
+        samples >= often * self.selection.samples as f64 && samples >= growth * growth
     }
 
     /// Selects the best hypotheses after an answer was told, and remembers that.
@@ -138,45 +151,109 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Selects the best hypotheses anew and makes the region of them.
     #[inline(never)]
     pub(super) fn reselect(&mut self, domain: &Domain<'_>) {
+        if self.report.observed > 0 {
+            // What was told may not have been looked at.
+            self.repair_best();
+        }
         self.select(domain);
         for effort in [Effort::Simple, Effort::Thorough] {
-            if self.find_sums(domain, effort) {
-                self.select(domain);
+            if self.is_hopeless() || !self.find_sums(domain, effort) {
+                break;
             }
+            self.select(domain);
         }
+        self.finish_selection(domain, true);
+    }
+
+    /// The same with little effort, while observations come in: the best hypotheses are repaired
+    /// and improved, but nothing else is looked for.
+    #[inline(never)]
+    pub(super) fn reselect_quickly(&mut self, domain: &Domain<'_>) {
+        self.repair_best();
+        improve_best(domain, &self.forms, &mut self.committee, self.config.slack);
+        self.finish_selection(domain, false);
+    }
+
+    fn finish_selection(&mut self, domain: &Domain<'_>, current: bool) {
         self.selection = Selection {
-            current: true,
+            current,
             length: self.committee.length(&self.forms),
             samples: self.forms.samples(),
         };
-        self.approximate();
+        self.approximate(current);
         self.rebuild_region(domain);
+        self.judge_by_log();
+    }
+
+    /// Whether so much was told that what does not agree with it is not worth a longer search:
+    /// some of it is wrong.
+    fn is_hopeless(&self) -> bool {
+        let many = self.report.observed > 0 && self.forms.samples() > MANY;
+        many && !self.committee.is_consistent()
     }
 
     /// Looks for a region that explains most answers, if it is time for that and there is
     /// none that explains all in few words.
     #[inline(never)]
-    fn approximate(&mut self) {
+    fn approximate(&mut self, thorough: bool) {
         let tuning = self.config.tuning;
         let told = self.observations.len() as f64;
         let early = told < tuning.give_up * f64::from(self.config.calls);
         let length = self.committee.length(&self.forms);
         let explained = self.is_explained();
         self.approximating = false;
-        // A long explanation is compared with one that takes some answers for wrong ones, late.
-        let doubtful = length > tuning.long && self.calls_left() <= self.judge_from();
+        // A long explanation, or that of a log, is compared with one that takes some answers for
+        // wrong ones, late.
+        let long = length > tuning.long || (thorough && self.report.observed > 0);
+        let doubtful = long && self.calls_left() <= self.judge_from();
         if early || self.unasked.is_some() || !self.influence || (explained && !doubtful) {
             return;
         }
+        let wanted = self.wanted_of_chosen();
+        let aside = self.forms.aside();
         let mut robust = 0.0;
         for (step, own) in self.approximations.iter_mut().enumerate() {
-            let view = StepView::new(&self.forms, step);
-            let fit = own.approximate(&view, self.wanted);
-            robust += own.robust_length(&view, &fit);
+            let view = || StepView::new(&self.forms, step);
+            own.approximate(&view().without(&aside), wanted);
+            robust += own.robust_length(&view());
         }
         // As for an exact one, it is no accident only if it is shorter than the answers.
         let significant = robust + tuning.significance <= self.entropy();
         self.approximating = significant && (!explained || robust < length);
+    }
+
+    /// Which share of the samples that a region is chosen by must work there. The more there
+    /// are of them, the less they flatter it.
+    fn wanted_of_chosen(&self) -> f64 {
+        let flattered = (FLATTERED / self.forms.samples().max(1) as f64).min(1.0);
+        let wanted = self.config.precision_wanted;
+        match self.certifying {
+            true => self.wanted,
+            false => wanted + flattered * (self.wanted - wanted),
+        }
+    }
+
+    /// Judges the region by what was put aside of a log, if it is wrong about some answers:
+    /// nobody chose that by the region, nor the region by that.
+    #[inline(never)]
+    fn judge_by_log(&mut self) {
+        let aside = self.forms.aside();
+        if !self.approximating || aside.is_empty() {
+            return;
+        }
+        let last = StepView::new(&self.forms, self.capacity.steps - 1);
+        let (mut draws, mut worked, mut found) = (0, 0, 0);
+        for sample in aside.iter() {
+            let feasible = last.feasible.contains(sample);
+            let inside = self.shown().all(|own| own.admits(&last, sample));
+            draws += u32::from(inside);
+            worked += u32::from(inside && feasible);
+            found += u32::from(feasible);
+        }
+        if draws > self.report.certificate.draws {
+            self.report.certificate = Certificate::new(draws, worked, self.config.confidence);
+            (self.report.found, self.report.inside) = (found, worked);
+        }
     }
 
     /// The hypothesis of each step that makes the region.
@@ -318,7 +395,8 @@ fn select<R: Real>(
     rng: &mut Generator,
 ) {
     let tuning = forms.tuning();
-    let (candidates, disjunctions) = (tuning.candidates as usize, tuning.disjunctions as usize);
+    let disjunctions = tuning.disjunctions as usize;
+    let candidates = tuning.candidates as usize * MANY / forms.samples().max(MANY);
     let naming = |clause: &_| describe::naming_length(domain, forms, clause);
     let objective = Objective {
         slack,
@@ -364,6 +442,24 @@ fn entropy<R: Real>(view: &StepView<'_, '_, R>) -> f64 {
     let infeasible = view.infeasible.len() as f64;
     let length = |own: f64| own * libm::log2((feasible + infeasible) / own.max(1.0));
     length(feasible) + length(infeasible)
+}
+
+/// Improves the best hypothesis of each step.
+#[inline(never)]
+fn improve_best<R: Real>(
+    domain: &Domain<'_>,
+    forms: &Forms<'_, R>,
+    committee: &mut Committee<'_, R>,
+    slack: f64,
+) {
+    let naming = |clause: &_| describe::naming_length(domain, forms, clause);
+    let objective = Objective {
+        slack,
+        naming: &naming,
+    };
+    for (step, (best, _)) in committee.steps_mut() {
+        best.improve(&StepView::new(forms, step), &objective);
+    }
 }
 
 /// Improves a hypothesis, and tells how good it is: the least is best.

@@ -2,6 +2,9 @@
 
 use super::bound::Bound;
 use super::certificate::Certificate;
+use super::clause::Clause;
+use super::forms::Origin;
+use super::hypothesis::Hypothesis;
 use super::query::Phase;
 use super::{Step, VersionSpace};
 use crate::domain::Domain;
@@ -9,6 +12,10 @@ use crate::error::Error;
 use crate::learn::question::{KEPT, Purpose, Question, State, Trial};
 use crate::learn::{Observation, Outcome, Problem, Query};
 use crate::real::Real;
+
+/// One of so many samples that nobody asked is put aside, to judge a region that is wrong about
+/// some of them.
+const ASIDE: u32 = 4;
 
 /// What a learner did since the last observation. It is kept with the next one, so that a
 /// learner that is resumed does it again.
@@ -99,8 +106,10 @@ impl<R: Real> VersionSpace<'_, R> {
         // A run that is resumed may have had more calls.
         let within = self.report.calls as u64 <= u64::from(self.config.calls);
         let last = asked && within && self.is_out_of_calls();
-        if (last && !self.certifying) || (!asked && self.has_grown()) {
+        if last && !self.certifying {
             self.reselect(problem.domain());
+        } else if !asked && self.has_grown() {
+            self.reselect_quickly(problem.domain());
         }
         Ok(None)
     }
@@ -217,7 +226,8 @@ impl<R: Real> VersionSpace<'_, R> {
         // Where nobody asks and nothing explains all answers, the next selection does it.
         let told = trial.purpose == Purpose::Told;
         let waits = told && (self.approximating || !self.committee.is_consistent());
-        let moved = !waits && self.repair_best();
+        let stays = waits || (told && self.is_settled(trial));
+        let moved = !stays && self.repair_best();
         self.count(trial);
         if self.approximating {
             return;
@@ -237,6 +247,32 @@ impl<R: Real> VersionSpace<'_, R> {
             _ if !moved => self.count_support(domain),
             _ => self.rebuild_region(domain),
         }
+    }
+
+    /// Whether the best hypotheses stay what they are with a sample more, whose left sides are in
+    /// `lhs`; if so, they count it.
+    fn is_settled(&mut self, trial: &Trial) -> bool {
+        let feasible = trial.lead > 0;
+        let failed = usize::from(trial.failed_step.saturating_sub(1));
+        let instance = trial.query().instance;
+        let (forms, lhs) = (&self.forms, &*self.lhs);
+        let value = |bound: &Bound<R>| forms.value(&bound.form, instance, lhs);
+        let beyond = |clause: &Clause<R>| clause.bounds().all(|own| value(own) >= own.outer);
+        let settles = |(step, best): (usize, &Hypothesis<R>)| {
+            let worked = feasible || step < failed;
+            match worked {
+                _ if best.is_strained() => false,
+                true => best.clauses.iter().all(|clause| clause.admits(value)),
+                false => step != failed || best.clauses.iter().any(beyond),
+            }
+        };
+        if !self.committee.best().enumerate().all(settles) {
+            return false;
+        }
+        if let (false, Some((_, (best, _)))) = (feasible, self.committee.steps_mut().nth(failed)) {
+            best.count(value);
+        }
+        true
     }
 
     /// Counts what samples that were drawn at random tell about the region.
@@ -278,7 +314,13 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Tells the forms of a sample.
     #[inline(never)]
     fn take_in(&mut self, trial: &Trial) {
-        let source = (trial.query().instance, trial.purpose != Purpose::Doubt);
+        let origin = match trial.purpose {
+            Purpose::Doubt => Origin::Chosen,
+            // The same ones, however long the log is and whatever of it is kept.
+            Purpose::Told if trial.query().checksum().is_multiple_of(ASIDE) => Origin::Aside,
+            _ => Origin::Drawn,
+        };
+        let source = (trial.query().instance, origin);
         if trial.lead > 0 {
             self.report.feasible += 1;
             let steps = self.capacity.steps;

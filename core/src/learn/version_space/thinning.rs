@@ -5,9 +5,9 @@
 //! is kept, as if nothing else had been told; a log of any length leaves a sample of itself in
 //! which as many outcomes are wrong as in the whole.
 
-use super::VersionSpace;
 use super::bound::Bound;
 use super::forms::SampleSet;
+use super::{Step, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::Problem;
@@ -135,7 +135,8 @@ impl<R: Real> VersionSpace<'_, R> {
     /// Selects hypotheses by what was taken in without a look for them.
     pub(super) fn end_quiet(&mut self, domain: &Domain<'_>) {
         if core::mem::take(&mut self.quiet) {
-            self.select_again(domain);
+            self.reseed(Step::Conclude);
+            self.reselect_quickly(domain);
             // It follows from what is kept.
             self.since = Default::default();
         }

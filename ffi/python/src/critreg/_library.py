@@ -41,6 +41,7 @@ ARGUMENTS: dict[str, list[Any]] = {
     "critreg_report_init": [_ANY, _SIZE],
     "critreg_learner_size": [_ANY],
     "critreg_learner_init": [*_MEMORY, _TEXT, _ANY, _ANY],
+    "critreg_choose_instances": [_ANY, _SIZE, _ANY, _ANY, _ANY, _SIZE, _ANY],
     "critreg_learn_region": [_ANY, *_INSTANCES, _ANY, _ANY, _ANY],
     "critreg_ask": [_ANY, *_INSTANCES, _ANY, _ANY],
     "critreg_tell": [_ANY, *_INSTANCES, _STATUS],
@@ -130,6 +131,7 @@ SAMPLE = ctypes.CFUNCTYPE(_STATUS, _ANY, _ANY, POINTER(RngStruct), _ANY)
 ADVISE = ctypes.CFUNCTYPE(
     _STATUS, _ANY, _GROUND, _SIZE, _NUMBERS, _SIZE, POINTER(c_int32), POINTER(c_uint32)
 )
+MAKE = ctypes.CFUNCTYPE(_STATUS, _ANY, _SIZE, _NUMBERS)
 SIMULATE = ctypes.CFUNCTYPE(_STATUS, _ANY, _NUMBERS, _NUMBERS, POINTER(c_int32))
 
 

@@ -10,6 +10,7 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional, TypedDict, Union
 
 from ._library import (
+    MAKE,
     SIMULATE,
     check,
     checked_id,
@@ -194,6 +195,43 @@ class Learner:
                 *self._instances, *added
             )
             self._count += count
+
+    def choose_instances(
+        self, make: Callable[[int], Vector], offered: int, room: int = DEFAULT_INSTANCES
+    ) -> None:
+        """Learns in instances of a source instead: `make(number)` makes any of so many. Those
+        that differ most are chosen, as many as there is room for (option `room`, too); before
+        anything is asked or told.
+        """
+        width = self.domain.instance_len
+        raised: list[BaseException] = []
+
+        def write(_: Any, number: int, instance: Any) -> int:
+            try:
+                values = vector(make(number), width, "an instance")
+                for place in range(width):
+                    instance[place] = values[place]
+            except BaseException as error:  # It is raised again below.
+                raised.append(error)
+                return Status.CANCELLED
+            return Status.OK
+
+        chosen, count = (c_double * (checked_id(room, "room") * width))(), c_size_t()
+        with self._lock:
+            status = library.critreg_choose_instances(
+                self._handle,
+                checked_id(offered, "offered"),
+                MAKE(write),
+                None,
+                chosen,
+                room,
+                byref(count),
+            )
+            if raised:
+                raise raised[0]
+            self._checked(status)
+            self._count = count.value
+            self._instances = (c_double * (self._count * width))(*chosen[: self._count * width])
 
     # Asking and telling
 

@@ -10,6 +10,7 @@
 //! is done per form is one subtraction and two comparisons, in long runs over
 //! neighbouring right sides.
 
+mod compare;
 mod exclusions;
 mod interval;
 mod layout;
@@ -69,26 +70,35 @@ pub(super) fn tolerance<R: Real>(value: R) -> R {
     R::from_f64(64.0) * R::EPSILON * (R::from_f64(16.0) + value.abs())
 }
 
-/// A sample whose label is decided: its instance, and whether it was drawn at random, from
-/// everything or from a region.
+/// Where a sample comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Origin {
+    /// It was asked about for a reason.
+    Chosen,
+    /// It was drawn at random, from everything or from a region, or nobody asked.
+    Drawn,
+    /// As before, and it is put aside to judge a region that is wrong about some answers.
+    Aside,
+}
+
+/// A sample whose label is decided: its instance, and where it comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sample(u32);
 
 impl Sample {
-    /// The bit of one that was drawn.
-    const DRAWN: u32 = 1 << 31;
+    /// The bits of its origin.
+    const ORIGIN: u32 = 3 << 30;
 
-    fn new(instance: usize, drawn: bool) -> Sample {
-        let drawn = if drawn { Sample::DRAWN } else { 0 };
-        Sample((instance as u32 & !Sample::DRAWN) | drawn)
+    fn new(instance: usize, origin: Origin) -> Sample {
+        Sample((instance as u32 & !Sample::ORIGIN) | (origin as u32) << 30)
     }
 
     fn instance(self) -> usize {
-        (self.0 & !Sample::DRAWN) as usize
+        (self.0 & !Sample::ORIGIN) as usize
     }
 
-    fn is_drawn(self) -> bool {
-        self.0 & Sample::DRAWN != 0
+    fn is(self, origin: Origin) -> bool {
+        self.0 >> 30 == origin as u32
     }
 }
 
@@ -541,7 +551,17 @@ impl<'m, R: Real> Forms<'m, R> {
     /// Whether a sample was drawn at random.
     pub(super) fn is_drawn(&self, sample: usize) -> bool {
         let sample = self.values.samples.as_slice().get(sample);
-        sample.is_some_and(|sample| sample.is_drawn())
+        sample.is_some_and(|sample| !sample.is(Origin::Chosen))
+    }
+
+    /// The samples that are put aside.
+    pub(super) fn aside(&self) -> SampleSet {
+        let mut set = SampleSet::EMPTY;
+        let samples = self.values.samples.as_slice().iter().enumerate();
+        for (place, _) in samples.filter(|(_, sample)| sample.is(Origin::Aside)) {
+            set.insert(place);
+        }
+        set
     }
 
     /// How many words a set of samples has in use.

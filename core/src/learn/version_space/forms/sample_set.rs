@@ -58,6 +58,15 @@ impl SampleSet {
         }
     }
 
+    /// Every so many of its samples.
+    pub(in super::super) fn every(&self, step: usize) -> SampleSet {
+        let mut set = SampleSet::EMPTY;
+        for sample in self.iter().step_by(step.max(1)) {
+            set.insert(sample);
+        }
+        set
+    }
+
     /// Takes out what is in another set.
     pub(in super::super) fn subtract(&mut self, other: &SampleSet) {
         for (word, other) in self.words.iter_mut().zip(&other.words) {

@@ -23,6 +23,13 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
         }
     }
 
+    /// The same without some samples.
+    pub(in super::super) fn without(mut self, samples: &SampleSet) -> Self {
+        self.feasible.subtract(samples);
+        self.infeasible.subtract(samples);
+        self
+    }
+
     /// The value of a form at a sample, outwards.
     pub(in super::super) fn value(&self, form: &DirectedForm, sample: usize) -> R {
         self.forms.value_at(form, sample)

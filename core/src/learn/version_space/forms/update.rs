@@ -1,6 +1,6 @@
 //! Taking samples in: S grows, and what each form excludes follows.
 
-use super::{Forms, Interval, tolerance};
+use super::{Forms, Interval, Origin, tolerance};
 use crate::real::Real;
 
 /// Neighbouring forms that are looked at together: in most blocks nothing changes.
@@ -29,13 +29,13 @@ impl<R: Real> Forms<'_, R> {
     /// unless `failed` is `None`. Its left sides are in `lhs`.
     pub(in super::super) fn add(
         &mut self,
-        (instance, drawn): (usize, bool),
+        (instance, origin): (usize, Origin),
         lhs: &[R],
         worked: usize,
         failed: Option<usize>,
     ) {
         let sample = self.samples();
-        self.values.push(instance, drawn, lhs);
+        self.values.push(instance, origin, lhs);
         if sample.is_multiple_of(64) {
             self.exclusions.clear(sample / 64);
         }

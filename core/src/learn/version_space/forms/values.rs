@@ -1,7 +1,7 @@
 //! The values of forms at samples: a matrix of right sides in instances, and one of left
 //! sides at samples.
 
-use super::Sample;
+use super::{Origin, Sample};
 use crate::real::Real;
 use crate::table::Table;
 use core::ops::Range;
@@ -20,14 +20,14 @@ pub(super) struct Values<'m, R> {
 
 impl<R: Real> Values<'_, R> {
     /// Appends a sample with its left sides.
-    pub(super) fn push(&mut self, instance: usize, drawn: bool, lhs: &[R]) {
+    pub(super) fn push(&mut self, instance: usize, origin: Origin, lhs: &[R]) {
         let rows = self.lhs.chunks_exact_mut(self.lhs_count.max(1));
         let row = rows.into_iter().nth(self.samples.len());
         for (slot, value) in row.unwrap_or(&mut []).iter_mut().zip(lhs) {
             *slot = *value;
         }
         // There is room: as much as for observations, of which each decides one at most.
-        let _ = self.samples.push(Sample::new(instance, drawn));
+        let _ = self.samples.push(Sample::new(instance, origin));
     }
 
     /// The right sides in an instance.
