@@ -1,11 +1,15 @@
 //! The region-guided sampler.
 
+use super::expectation::Expectation;
+use super::foresight::Foresight;
 use super::joint_region::JointRegion;
 use super::knowledge::{Knowledge, reason};
 use super::original::completed;
 use crate::error::Error;
 use crate::plan::{Draw, Drawn, Sampler, World};
 use crate::random::uniform;
+use crate::region::Theta;
+use crate::skill::changes::Changes;
 use crate::skill::setting::Setting;
 use crate::skill::skills::{Library, Skills};
 use crate::skill::tuning::{MARGIN, REGION_DRAWS};
@@ -34,12 +38,20 @@ pub struct RegionSampler<'a, E> {
     /// are out of reach. Without any they are until patience ends: see
     /// [`Config::patience`](crate::plan::Config::patience).
     pub everywhere: f64,
+    /// How many draws of a step are followed to the end of the skeleton, in what is expected
+    /// of the steps after it, before it is taken for impossible; 0, the default: none is.
+    pub lookahead: u32,
+    changes: &'a [Changes],
 }
 
 impl<'a, E: Setting> RegionSampler<'a, E> {
     /// The sampler that draws from what is known of an environment.
     pub fn new(environment: &'a E, skills: &'a Skills<'_>) -> Self {
-        RegionSampler::from_library(environment, skills.library())
+        let (library, changes) = skills.known();
+        RegionSampler {
+            changes,
+            ..RegionSampler::from_library(environment, library)
+        }
     }
 
     pub(in crate::skill) fn from_library(environment: &'a E, library: Library<'a>) -> Self {
@@ -51,6 +63,8 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
             margin: MARGIN,
             tries: REGION_DRAWS,
             everywhere: 0.0,
+            lookahead: 0,
+            changes: &[],
         }
     }
 
@@ -94,8 +108,13 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
             return Ok(Some(Drawn::Empty(reason(draw.skeleton, draw.step))));
         }
         let margin = if draw.attempt > 1 { 0.0 } else { self.margin };
-        match joint.sample(margin, rng) {
-            Ok(theta) => {
+        let drawn = match joint.sample(margin, rng) {
+            Ok(theta) if joint.parameters() > 0 => self.foreseen(theta, joint, (draw, margin), rng),
+            drawn => drawn.map(Ok),
+        };
+        match drawn {
+            Ok(Err(step)) => Ok(Some(Drawn::Empty(reason(draw.skeleton, step)))),
+            Ok(Ok(theta)) => {
                 let theta = theta.get(..joint.parameters()).unwrap_or_default();
                 let (ground, state) = (draw.operator, draw.state);
                 let parameters = completed(self.knowledge.environment, ground, state, theta, rng);
@@ -105,6 +124,37 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
             Err(Error::EmptyRegion | Error::NoSample) => blame(joint, draw).map(Some),
             Err(error) => Err(error),
         }
+    }
+}
+
+impl<E: Setting> RegionSampler<'_, E> {
+    /// These parameters, or others from where the regions meet, with which the steps after
+    /// this one can work, too; or the step that cannot with any of them.
+    fn foreseen<R: Rng, const N: usize>(
+        &self,
+        mut theta: Theta,
+        joint: &JointRegion<'_>,
+        (draw, margin): (&Draw<'_, State, N>, f64),
+        rng: &mut R,
+    ) -> Result<Result<Theta, usize>, Error> {
+        let foresight = Foresight {
+            knowledge: &self.knowledge,
+            changes: self.changes,
+        };
+        let steps = draw.skeleton.from(draw.step);
+        let mut farthest = 0;
+        for _ in 0..self.lookahead {
+            let now = Expectation::of(draw.state);
+            match foresight.obstacle(steps, now, &theta, rng)? {
+                None => return Ok(Ok(theta)),
+                Some(step) => farthest = farthest.max(step),
+            }
+            theta = joint.sample(margin, rng)?;
+        }
+        Ok(match self.lookahead {
+            0 => Ok(theta),
+            _ => Err(draw.step + farthest),
+        })
     }
 }
 

@@ -150,7 +150,7 @@ class PlannerConfig(ctypes.Structure):
     atoms: uint32
     facts: uint32
     skeletons_per_state: uint32
-    reserved: uint32
+    lookahead: uint32
 
 
 @_laid_out
@@ -265,7 +265,7 @@ class SkillsConfig(ctypes.Structure):
     nodes: uint32
     facts: uint32
     runs: uint32
-    reserved: uint32
+    way: uint32
     progress: pointer
     progress_data: pointer
 

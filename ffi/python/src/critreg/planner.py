@@ -58,6 +58,8 @@ class PlannerOptions(TypedDict, total=False):
     """How much advice may cost before planning begins anew without it."""
     skeletons_per_state: int
     """Sequences to one abstract state that are extended before all others are."""
+    lookahead: int
+    """With skills: draws that are followed in what is expected of the steps after them."""
     nodes: int
     """Nodes of the search to have room for."""
 

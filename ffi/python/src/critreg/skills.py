@@ -61,6 +61,8 @@ class SkillsOptions(TypedDict, total=False):
     """Nodes of the search for a way to a situation."""
     facts: int
     """Atoms of :init of a problem to have room for."""
+    way: int
+    """Controllers that may be run on the way to one situation."""
     runs: int
     """Runs of controllers to keep of the skill that is being learned."""
 
