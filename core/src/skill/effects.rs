@@ -4,14 +4,14 @@ use super::tuning::{AGREEING, EFFECT_RUNS, EFFECT_TOLERANCE};
 use crate::domain::{Coordinate, Domain, Node, PointSet, Quantity, Scene};
 use crate::error::Error;
 use crate::real::Real;
-use crate::task::{ObjectId, State};
+use crate::table::gather;
 use crate::wire::{Reader, Writer};
 use heapless::Vec;
 
 /// Terms of a text that are looked at: those beyond explain nothing.
 const MAX_TERMS: usize = 48;
-/// Attributes of a controller's own objects that are looked at.
-const MAX_VALUES: usize = 16;
+/// Numbers of an instance that are looked at.
+const MAX_VALUES: usize = 24;
 /// Runs that are kept.
 const MAX_RUNS: usize = 12;
 
@@ -51,19 +51,17 @@ pub(super) fn singles(domain: &Domain<'_>) -> impl Iterator<Item = bool> {
     domain.slots().map(|(object, _)| object.member.is_none())
 }
 
-/// An attribute of an object afterwards: a term and a constant.
+/// A number of an instance afterwards: a term and a constant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Effect {
-    /// Which object of the controller.
-    place: u8,
-    attribute: u8,
+    slot: u8,
     term: u8,
     offset: f64,
 }
 
-/// Where a controller leaves its own objects: attributes that are, whatever the state and the
-/// parameters, a term of the text and a constant more. A robot that drives to a point is there
-/// afterwards.
+/// Where a controller leaves the objects of its text: attributes that are afterwards, whatever
+/// the state and the parameters, a term of the text and a constant more. A robot that drives to
+/// a point is there afterwards.
 ///
 /// It is seen and not declared, as [`Changes`](super::Changes) is.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,16 +73,11 @@ impl Effects {
         self.0.is_empty()
     }
 
-    /// The attributes of these objects that are known afterwards.
-    pub(super) fn after(
-        &self,
-        terms: &Terms,
-        objects: &[ObjectId],
-    ) -> impl Iterator<Item = (ObjectId, usize, f64)> {
+    /// The numbers of an instance that are known afterwards, by their places.
+    pub(super) fn after(&self, terms: &Terms) -> impl Iterator<Item = (usize, f64)> {
         self.0.iter().filter_map(|own| {
-            let object = objects.get(usize::from(own.place))?;
             let term = terms.get(usize::from(own.term))?;
-            Some((*object, own.attribute.into(), term + own.offset))
+            Some((own.slot.into(), term + own.offset))
         })
     }
 
@@ -92,9 +85,8 @@ impl Effects {
     pub(super) fn write(&self, writer: &mut Writer<'_>) {
         writer.u16(self.0.len() as u16);
         for own in &self.0 {
-            for number in [own.place, own.attribute, own.term] {
-                writer.u16(number.into());
-            }
+            writer.u16(own.slot.into());
+            writer.u16(own.term.into());
             writer.f64(own.offset);
         }
     }
@@ -106,8 +98,7 @@ impl Effects {
         for _ in 0..reader.u16()? {
             let mut number = || u8::try_from(reader.u16()?).map_err(|_| MORE);
             let own = Effect {
-                place: number()?,
-                attribute: number()?,
+                slot: number()?,
                 term: number()?,
                 offset: reader.f64()?,
             };
@@ -117,7 +108,7 @@ impl Effects {
     }
 }
 
-/// Runs of a controller: the terms before, and the attributes of its objects afterwards.
+/// Runs of a controller: the terms before, and the numbers of the instance afterwards.
 #[derive(Debug, Default)]
 pub(super) struct Runs {
     all: Vec<(Terms, Vec<f64, MAX_VALUES>), MAX_RUNS>,
@@ -125,32 +116,25 @@ pub(super) struct Runs {
 
 impl Runs {
     /// Notes a run, as long as there is room.
-    pub(super) fn note(&mut self, terms: Terms, objects: &[ObjectId], after: &State) {
-        let values = objects.iter().filter_map(|own| after.attributes(*own));
-        let values = values.flatten().copied();
+    pub(super) fn note(&mut self, terms: Terms, after: &[f64]) {
         // What finds no room is not needed.
-        let _ = self.all.push((terms, crate::table::gather(values)));
+        let _ = self.all.push((terms, gather(after.iter().copied())));
     }
 
-    /// What explains the runs, of these objects' attributes: one term each, if there is any
-    /// with which nearly all runs agree.
-    pub(super) fn effects(&self, attributes: impl Iterator<Item = usize>) -> Effects {
-        let mut effects = Effects::default();
-        let places = (0..).zip(attributes);
-        let all = places.flat_map(|(place, count)| (0..count).map(move |own| (place, own as u8)));
-        for (value, (place, attribute)) in all.enumerate().take(MAX_VALUES) {
-            if let Some((term, offset)) = self.explain(value) {
-                let own = Effect {
-                    place,
-                    attribute,
-                    term: term as u8,
-                    offset,
-                };
-                // There is a place for each value.
-                let _ = effects.0.push(own);
-            }
-        }
-        effects
+    /// What explains the runs, of the numbers of single objects: one term each, if there is
+    /// any with which nearly all runs agree.
+    pub(super) fn effects(&self, domain: &Domain<'_>) -> Effects {
+        let own = (0..MAX_VALUES).zip(singles(domain));
+        let own = own.filter(|(_, single)| *single);
+        let effects = own.filter_map(|(slot, _)| {
+            let (term, offset) = self.explain(slot)?;
+            Some(Effect {
+                slot: slot as u8,
+                term: term as u8,
+                offset,
+            })
+        });
+        Effects(gather(effects))
     }
 
     /// The term that most runs agree with about a value, and how much more the value is; of

@@ -128,7 +128,7 @@ class Interface(unittest.TestCase):
         self.assertLessEqual(set(PlannerOptions.__annotations__), planner)
         skills = {name for name, _ in _structs.SkillsConfig._fields_}
         # Room for training tasks is for those that are given.
-        others = {"struct_size", "reserved", "progress", "progress_data", "tasks"}
+        others = {"struct_size", "progress", "progress_data", "tasks"}
         self.assertEqual(skills - set(SkillsOptions.__annotations__), others)
 
 

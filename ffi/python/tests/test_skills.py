@@ -25,6 +25,7 @@ object boxes[3]: box
 PICK = """
 constant finger.length = 0.06: length  constant hand.height = 0.11: length
 object box { height: length }
+object hand { grip: length }
 parameter grip in [0, 0.4]: length
 """
 PUSH_IN = """
@@ -66,7 +67,7 @@ def task(seed):
     return problem, state
 
 
-def make(**options):
+def make(pair=True, **options):
     options = {"situations": 12, "states": 60, "chained": 60, **options}
     skills = critreg.Skills(
         DOMAIN, LAYOUT, [task(seed) for seed in range(60)], learner={"calls": 60}, **options
@@ -74,7 +75,8 @@ def make(**options):
     skills.add_controller("Pick", [(0.0, 0.4)], objects=["?b"])
     skills.add("Pick", PICK)
     skills.add("PushIn", PUSH_IN)
-    skills.add_pair("Pick", "PushIn")
+    if pair:
+        skills.add_pair("Pick", "PushIn")
     return skills
 
 
@@ -84,9 +86,11 @@ class Learning(unittest.TestCase):
         cls.skills = make()
         cls.skills.learn(execute, holds)
 
-    def plans(self, seed, **options):
+    def plans(self, seed, lookahead=0, **options):
         problem, state = task(seed)
-        planner = critreg.Planner(DOMAIN, problem, state_len=len(state), max_tries=40)
+        planner = critreg.Planner(
+            DOMAIN, problem, state_len=len(state), max_tries=40, lookahead=lookahead
+        )
         planner.set_ranges("Pick", [(0.0, 0.4)])
         steps = planner.plan(state, execute, holds, seed=seed, **options)
         return planner, steps
@@ -99,8 +103,8 @@ class Learning(unittest.TestCase):
             self.assertEqual(skill.report.has_region, 1, skill.text)
             self.assertGreater(skill.report.calls, 0)
         # A box of 0.2: gripped by its upper 0.06, and below what the shelf leaves.
-        self.assertTrue(pick.region.contains([0.2], [0.17]))
-        self.assertFalse(pick.region.contains([0.2], [0.1]))
+        self.assertTrue(pick.region.contains([0.2, 0.0], [0.17]))
+        self.assertFalse(pick.region.contains([0.2, 0.0], [0.1]))
         domain = critreg.Domain(pair.domain)
         self.assertEqual(len(domain.parameters), 1)
 
@@ -114,6 +118,21 @@ class Learning(unittest.TestCase):
                 samples[learned] += planner.metrics().samples
         self.assertEqual(samples[True], 20)
         self.assertGreater(samples[False], 60)
+
+    def test_a_look_ahead_needs_no_pair(self):
+        # That the hand is afterwards where it gripped is seen, so it is known what PushIn will
+        # find.
+        alone = make(pair=False)
+        alone.learn(execute, holds)
+        again = make(pair=False)
+        again.resume(alone.save())
+        samples = {0: 0, 32: 0}
+        for lookahead in samples:
+            for seed in range(100, 130):
+                planner, _ = self.plans(seed, lookahead, skills=again)
+                samples[lookahead] += planner.metrics().samples
+        self.assertEqual(samples[32], 60)
+        self.assertGreater(samples[0], 62)
 
     def test_what_cannot_work_is_said(self):
         problem, state = task(0)

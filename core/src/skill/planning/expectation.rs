@@ -48,9 +48,21 @@ impl Expectation {
         let objects = own.objects.as_slice();
         let mut known: Vec<(ObjectId, usize, f64), MAX_STATE_VALUES> = Vec::new();
         for skill in knowledge.about(own) {
-            if let Some(terms) = self.terms(knowledge, skill, objects, theta) {
-                // There is a place for each number.
-                known.extend(skill.effects().after(&terms, objects));
+            let context = Context {
+                environment: knowledge.environment,
+                state: &self.state,
+                objects,
+                later_objects: &[],
+                members: skill.description().members,
+            };
+            let Some(terms) = self.terms(skill, &context, theta) else {
+                continue;
+            };
+            for (slot, value) in skill.effects().after(&terms) {
+                if let Some((object, attribute)) = skill.binding().source(slot, &context) {
+                    // There is a place for each number.
+                    let _ = known.push((object, attribute, value));
+                }
             }
         }
         let before = self.state.clone();
@@ -70,30 +82,22 @@ impl Expectation {
     }
 
     /// The terms of a skill's text, if all of its single objects can be told.
-    fn terms<E: Setting>(
+    fn terms(
         &self,
-        knowledge: &Knowledge<'_, E>,
         skill: &Skill,
-        objects: &[ObjectId],
+        context: &Context<'_, impl Setting>,
         theta: Option<&[f64]>,
     ) -> Option<Terms> {
         if skill.effects().is_empty() {
             return None;
         }
-        let context = Context {
-            environment: knowledge.environment,
-            state: &self.state,
-            objects,
-            later_objects: &[],
-            members: skill.description().members,
-        };
         let mut slots = singles(skill.domain()).enumerate();
-        if !slots.all(|(slot, single)| !single || self.tells(skill, &context, slot)) {
+        if !slots.all(|(slot, single)| !single || self.tells(skill, context, slot)) {
             return None;
         }
         let mut numbers = [0.0; MAX_STATE_VALUES];
         let instance = numbers.get_mut(..skill.binding().len())?;
-        skill.binding().instance(&context, instance).ok()?;
+        skill.binding().instance(context, instance).ok()?;
         terms(skill.domain(), instance, theta.unwrap_or_default()).ok()
     }
 

@@ -6,6 +6,7 @@ use crate::learn::Outcome;
 use crate::plan::{Draw, Drawn, Skeleton};
 use crate::random::Generator;
 use crate::skill::changes::Changes;
+use crate::skill::context::Context;
 use crate::skill::effects::{Runs, terms};
 use crate::skill::planning::{RegionSampler, completed};
 use crate::skill::setting::{Practice, Setting};
@@ -216,14 +217,24 @@ impl Watched<'_> {
         after: &State,
     ) -> Result<(), Error> {
         let mut numbers = [0.0; MAX_STATE_VALUES];
-        let instance = numbers.get_mut(..self.skill.binding().len());
-        let (Some(instance), Some(ground)) = (instance, situation.steps.first()) else {
+        let (Some(instance), Some(ground)) = (
+            numbers.get_mut(..self.skill.binding().len()),
+            situation.steps.first(),
+        ) else {
             return Ok(());
         };
         situation.instance(environment, self.skill, instance)?;
         let terms = terms(self.skill.domain(), instance, parameters)?;
         let objects = controller_objects(environment, ground)?;
-        self.runs.note(terms, objects.as_slice(), after);
+        let context = Context {
+            environment,
+            state: after,
+            objects: objects.as_slice(),
+            later_objects: &[],
+            members: self.skill.description().members,
+        };
+        self.skill.binding().instance(&context, instance)?;
+        self.runs.note(terms, instance);
         Ok(())
     }
 }

@@ -13,7 +13,7 @@ use crate::learn::version_space::Why;
 use crate::learn::{Capacity, Config, Learner, Outcome, Problem, VersionSpace, learn_region};
 use crate::random::{Generator, generator};
 use crate::region::Region;
-use crate::skill::effects::{Effects, Runs};
+use crate::skill::effects::Runs;
 use crate::skill::setting::Practice;
 use crate::skill::skills::{Known, Library, Skill, Skills};
 use crate::skill::tuning::ROUNDS;
@@ -112,22 +112,11 @@ impl<'t, 'm, E: Practice> Trainer<'t, 'm, E> {
         let region = self.fit(skill, &mut learned, config, &mut oracle, &mut rng)?;
         learned.runs += oracle.runs();
         learned.region = region.is_some();
-        let effects = self.effects(skill, &seen)?;
+        let effects = seen.effects(skill.domain());
         let skill = skills.get_mut(index).ok_or(NO_SKILL)?;
         skill.set_region(region);
         skill.set_effects(effects);
         Ok(learned)
-    }
-
-    /// Where the controller of a skill leaves its objects, by the runs that were seen.
-    fn effects(&self, skill: &Skill, seen: &Runs) -> Result<Effects, Error> {
-        let controller = self.environment.signature(skill.description().controller)?;
-        let types = self.environment.types();
-        let attributes = controller.arguments.iter().map(|kind| {
-            let kind = types.get(usize::from(kind.0));
-            kind.map_or(0, |kind| kind.attributes.len())
-        });
-        Ok(seen.effects(attributes))
     }
 
     /// Situations of the skill at an index, from tasks in their order, up to so many: to

@@ -22,6 +22,11 @@ from .skills import Skills
 from .status import NoSample
 from .world import Draw, Ground
 
+MAX_NUMBERS = 64
+"""Most numbers of a state; CRITREG_MAX_STATE_NUMBERS."""
+MAX_OBJECTS = 32
+"""Most objects of a task; CRITREG_MAX_STATE_OBJECTS."""
+
 Text = Union[str, None, Mapping[str, str]]
 """What can be said of a controller; or of its cases, by their names: parameters that are a
 choice among several, each with a text of its own whose ranges are those of that case."""
@@ -62,7 +67,7 @@ class World:
     """The world of some models, with what can be said of its controllers.
 
     Controllers are called as the classes that make them, and operators that run one class
-    share one. `members` are the predicates that narrow groups, by controller.
+    share one.
     """
 
     domain: str
@@ -72,11 +77,10 @@ class World:
         self,
         models: Any,
         texts: Texts,
-        members: Optional[Mapping[str, Sequence[str]]] = None,
         max_steps: int = 100,
     ) -> None:
         self.models = models
-        self._texts, self._members, self._max_steps = texts, members or {}, max_steps
+        self._texts, self._max_steps = texts, max_steps
         self._controllers = list(_controllers(models, texts))
         self._actions = {action.name: action for own in self._controllers for action in own.actions}
         self._ranges = {
@@ -111,16 +115,24 @@ class World:
 
     def layout(self, states: Sequence[Any]) -> str:
         """Which numbers of a state belong to which object, for tasks with such states."""
+        names = {
+            kind: {tuple(thing.name for thing in self._objects(x)[kind]) for x in states}
+            for kind in self._types
+        }
+        single = {kind for kind, own in names.items() if [len(one) for one in own] == [1]}
+        groups = {kind for kind, own in names.items() if any(own)} - single
+        # Other tasks may have more: groups share what room there is, the state's number aside.
+        numbers = MAX_NUMBERS - 1 - sum(len(self._types[kind]) for kind in single)
+        objects = MAX_OBJECTS - len(single)
         lines = []
         for kind, attributes in self._types.items():
-            all_names = {tuple(thing.name for thing in self._objects(x)[kind]) for x in states}
-            most = max(map(len, all_names), default=0)
             listed = ", ".join(f"{name}: {what}" for name, what in attributes.items())
             lines.append(f"type {kind} {{ {listed} }}")
-            if len(all_names) == 1 and most == 1:
-                lines.append(f"object {all_names.pop()[0]}: {kind}")
-            elif most > 0:
-                lines.append(f"object all_{kind}[{most}]: {kind}")
+            if kind in single:
+                lines.append(f"object {next(iter(names[kind]))[0]}: {kind}")
+            elif kind in groups:
+                room = min(numbers // max(1, len(attributes)), objects) // len(groups)
+                lines.append(f"object all_{kind}[{room}]: {kind}")
         return "\n".join(lines) + "\n"
 
     def numbers(self, state: Any) -> list[float]:
@@ -238,19 +250,18 @@ class World:
     def skills(self, initial: Sequence[Any], /, **options: Any) -> Skills:
         """Skills of which nothing is known yet."""
         tasks = [(self.problem(state), self.numbers(state)) for state in initial]
-        options.setdefault("state_len", 64)
+        options.setdefault("state_len", MAX_NUMBERS)
         skills = Skills(self.domain, self.layout(initial), tasks, **options)
         for own in self._controllers:
             names = [action.name for action in own.actions]
             ranges = own.domain.ranges if own.domain else ()
             skills.add_controller(own.name, ranges, names, own.objects)
         for key, text in self._texts.items():
-            members = self._members.get(key if isinstance(key, str) else key[0], ())
             for name, one in _cases(key if isinstance(key, str) else key[0], text):
                 if isinstance(key, str):
-                    skills.add(name, one, members)
+                    skills.add(name, one)
                 else:
-                    skills.add_pair(name, key[1], one, members)
+                    skills.add_pair(name, key[1], one)
         return skills
 
     def planner(self, state: Any, **options: Any) -> Planner:
