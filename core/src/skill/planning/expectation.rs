@@ -30,10 +30,10 @@ impl Expectation {
         self.unknown = u64::MAX;
     }
 
-    /// After what a controller is known to change.
-    pub(super) fn change(&mut self, changes: &[Changes], own: &GroundController) {
-        let changes = Changes::of(changes, own.id);
-        changes.predict(own.objects.as_slice(), &mut self.state, &mut self.unknown);
+    /// After what a controller is known to change; or what it mostly does.
+    pub(super) fn change(&mut self, changes: &[Changes], own: &GroundController, mostly: bool) {
+        let (changes, objects) = (Changes::of(changes, own.id), own.objects.as_slice());
+        changes.predict(objects, &mut self.state, &mut self.unknown, mostly);
     }
 
     /// After a controller, with these parameters, if they are known: after what it changes,
@@ -66,7 +66,7 @@ impl Expectation {
             }
         }
         let before = self.state.clone();
-        self.change(changes, own);
+        self.change(changes, own, true);
         let changes = Changes::of(changes, own.id);
         for (object, attribute, value) in known {
             let first = before.place(object).unwrap_or(0);

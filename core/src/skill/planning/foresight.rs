@@ -1,9 +1,10 @@
 //! Looking ahead: whether the rest of a skeleton can work, as far as can be told.
 
 use super::expectation::Expectation;
-use super::knowledge::Knowledge;
+use super::knowledge::{GroundController, Knowledge};
 use crate::error::Error;
 use crate::plan::Skeleton;
+use crate::random::uniform_in;
 use crate::region::Theta;
 use crate::skill::changes::Changes;
 use crate::skill::setting::Setting;
@@ -55,12 +56,27 @@ impl<E: Setting> Foresight<'_, '_, E> {
                 Err(Error::EmptyRegion | Error::NoSample) => return Ok(Reach::Step(step)),
                 Err(error) => return Err(error),
             };
-            let count = joint.parameters();
-            drawn |= count > 0;
-            let theta = theta.get(..count).filter(|_| count > 0);
+            let theta = match joint.parameters() {
+                0 => self.anything(&own, rng),
+                _ => Some(theta),
+            };
+            drawn |= theta.is_some();
+            let theta = theta.as_ref().map(|theta| theta.as_slice());
             now.advance(self.knowledge, self.changes, &own, theta);
         }
         Ok(Reach::End)
+    }
+
+    /// Parameters of a controller of which no region is known, but where it leaves things:
+    /// from all of their ranges. The original sampler knows no states that are thought of.
+    fn anything<R: Rng>(&self, own: &GroundController, rng: &mut R) -> Option<Theta> {
+        let mut known = self.knowledge.about(own);
+        let skill = known.find(|skill| !skill.effects().is_empty() && skill.has_parameters())?;
+        let mut theta = Theta::default();
+        for (slot, range) in theta.iter_mut().zip(skill.domain().parameters()) {
+            *slot = uniform_in(rng, range.low, range.high);
+        }
+        Some(theta)
     }
 
     /// Whether the steps after the first can work if that one is given these parameters, as
@@ -72,7 +88,7 @@ impl<E: Setting> Foresight<'_, '_, E> {
         &self,
         skeleton: Skeleton<'_, N>,
         mut now: Expectation,
-        theta: &Theta,
+        theta: &[f64],
         rng: &mut R,
     ) -> Result<Option<usize>, Error> {
         match skeleton

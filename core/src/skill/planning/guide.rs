@@ -61,7 +61,7 @@ impl<'a, E: Setting> RegionGuide<'a, E> {
         let mut now = Expectation::of(self.initial);
         for ground in before.iter() {
             match self.knowledge.controller(ground) {
-                Some(own) => now.change(self.changes, &own),
+                Some(own) => now.change(self.changes, &own, false),
                 None => now.forget(),
             }
         }

@@ -94,15 +94,25 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
         draw: &Draw<'_, State, N>,
         rng: &mut R,
     ) -> Result<Option<Drawn>, Error> {
-        if joint.regions().is_empty() {
-            return Ok(None);
-        }
         let own = self.knowledge.controller(draw.operator);
-        let sampled = own.is_some_and(|own| own.controller.parameters > 0);
+        let sampled = own
+            .as_ref()
+            .is_some_and(|own| own.controller.parameters > 0);
         if sampled && joint.parameters() == 0 {
             // What is known is about the state, and leaves the parameters free.
             let empty = joint.is_proven_empty()?;
-            return empty.then(|| blame(joint, draw)).transpose();
+            if empty {
+                return blame(joint, draw).map(Some);
+            }
+            let mut known = own.iter().flat_map(|own| self.knowledge.about(own));
+            let foreseen = self.lookahead > 0 && known.any(|skill| !skill.effects().is_empty());
+            return match foreseen {
+                true => self.foreseen_original(draw, rng).map(Some),
+                false => Ok(None),
+            };
+        }
+        if joint.regions().is_empty() {
+            return Ok(None);
         }
         if draw.attempt > self.tries {
             return Ok(Some(Drawn::Empty(reason(draw.skeleton, draw.step))));
@@ -137,10 +147,7 @@ impl<E: Setting> RegionSampler<'_, E> {
         (draw, margin): (&Draw<'_, State, N>, f64),
         rng: &mut R,
     ) -> Result<Result<Theta, usize>, Error> {
-        let foresight = Foresight {
-            knowledge: &self.knowledge,
-            changes: self.changes,
-        };
+        let foresight = self.foresight();
         let steps = draw.skeleton.from(draw.step);
         let mut farthest = 0;
         for _ in 0..self.lookahead {
@@ -155,6 +162,35 @@ impl<E: Setting> RegionSampler<'_, E> {
             0 => Ok(theta),
             _ => Err(draw.step + farthest),
         })
+    }
+}
+
+impl<'a, E: Setting> RegionSampler<'a, E> {
+    /// Parameters of the original sampler with which the steps after this one can work.
+    fn foreseen_original<R: Rng, const N: usize>(
+        &self,
+        draw: &Draw<'_, State, N>,
+        rng: &mut R,
+    ) -> Result<Drawn, Error> {
+        let (foresight, steps) = (self.foresight(), draw.skeleton.from(draw.step));
+        let mut farthest = 0;
+        for _ in 0..self.lookahead {
+            let now = Expectation::of(draw.state);
+            let environment = self.knowledge.environment;
+            let parameters = completed(environment, draw.operator, draw.state, &[], rng);
+            match foresight.obstacle(steps, now, &parameters, rng)? {
+                None => return Ok(Drawn::Informed(parameters)),
+                Some(step) => farthest = farthest.max(step),
+            }
+        }
+        Ok(Drawn::Empty(reason(draw.skeleton, draw.step + farthest)))
+    }
+
+    fn foresight(&self) -> Foresight<'_, 'a, E> {
+        Foresight {
+            knowledge: &self.knowledge,
+            changes: self.changes,
+        }
     }
 }
 

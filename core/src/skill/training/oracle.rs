@@ -89,7 +89,12 @@ impl<'a, E: Practice> Oracle<'a, E> {
     ) -> Result<Outcome, Error> {
         let (mut outcome, mut first) = (Outcome::FailedStep(1), Tried::Fails);
         let mut after = situation.state.clone();
-        for attempt in 1..=TRIES {
+        let mut free = theta.is_some();
+        for ground in &situation.steps {
+            free |= is_sampled(self.environment, ground)?;
+        }
+        // Without parameters it would be the same again.
+        for attempt in 1..=if free { TRIES } else { 1 } {
             // Given parameters need no second run.
             if theta.is_none() || attempt == 1 {
                 after.clone_from(&situation.state);
