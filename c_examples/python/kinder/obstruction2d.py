@@ -3,8 +3,8 @@
 ENVIRONMENT = "kinder/Obstruction2D-o{}-v0"
 COUNTED = "num_obstructions"
 VARIANTS = [0, 1, 2, 4]
-TRAINING = [0, 1, 2]
-LEARNING = {"learner": {"calls": 150}, "situations": 40, "way": 6}
+TRAINING = [0, 1]
+LEARNING = {"learner": {"calls": 200}, "situations": 48, "way": 6}
 
 WORLD = """
 constant room.width     = 1.618: length
