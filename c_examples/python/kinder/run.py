@@ -25,15 +25,19 @@ def told(*words):
     print(*words, file=sys.stderr, flush=True)
 
 
-def learn(world, environment, tasks):
-    """Skills, learned in tasks of the training variants; how many controllers were run, and how
-    long it took."""
-    text, start = environment.text, time.perf_counter()
+def untaught(world, environment, tasks):
+    """Skills of which nothing is known, with tasks of the training variants."""
+    text = environment.text
     states = [
         environment.state(text.TRAINING[place % len(text.TRAINING)], 1000 + place)
         for place in range(tasks)
     ]
-    skills = world.skills(states, **text.LEARNING)
+    return world.skills(states, **text.LEARNING)
+
+
+def learn(world, skills):
+    """Learns all skills; how long it took."""
+    start = time.perf_counter()
 
     def progress(training):
         if training.runs % 25 == 0:
@@ -42,7 +46,7 @@ def learn(world, environment, tasks):
             told(f"{name}: {training.runs} runs of controllers, {seconds:.0f} s")
 
     skills.learn(world.execute, world.holds, world.sample, progress)
-    return skills, time.perf_counter() - start
+    return time.perf_counter() - start
 
 
 def ours(world, skills, state, seed):
@@ -120,23 +124,18 @@ def main():
     variants = options.variants or text.VARIANTS
     models = environment.of_all(sorted({*text.TRAINING, *variants}))
     world = World(models, text.TEXTS)
+    skills = untaught(world, environment, options.tasks)
     if options.load:
-        states = [
-            environment.state(text.TRAINING[place % len(text.TRAINING)], 1000 + place)
-            for place in range(options.tasks)
-        ]
-        skills, seconds = world.skills(states, **text.LEARNING), 0.0
         with open(options.load, "rb") as file:
             skills.resume(file.read())
-    else:
-        skills, seconds = learn(world, environment, options.tasks)
+    seconds = learn(world, skills)
     if options.save:
         with open(options.save, "wb") as file:
             file.write(skills.save())
     for skill in skills:
         report = skill.report
         print(f"{skill.name}, after {report.runs} runs of controllers:\n    {skill.text}")
-    print(f"learned in {seconds:.0f} s\n")
+    print(f"learned in {seconds:.0f} s\n", flush=True)
 
     print("| variant | planner | solved | samples | plan length | seconds |")
     print("|---|---|---|---|---|---|")

@@ -102,7 +102,7 @@ class World:
         kind = thing.type
         while kind is not None and kind.name not in self._types:
             kind = kind.parent
-        return kind and kind.name
+        return None if kind is None else str(kind.name)
 
     def _objects(self, state: Any) -> dict[str, list[Any]]:
         """The objects of a state that texts speak of, by their types."""

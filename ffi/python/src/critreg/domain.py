@@ -105,11 +105,11 @@ def _value(expression: str, constants: dict[str, float]) -> float:
 
     def value(node: Any) -> float:
         if isinstance(node, ast.Constant):
-            return float(node.value)
+            return float(str(node.value))
         if isinstance(node, ast.UnaryOp):
             return float(_OPERATIONS[type(node.op)](value(node.operand)))  # type: ignore
         if isinstance(node, ast.BinOp):
-            operation: Any = _OPERATIONS[type(node.op)]  # type: ignore[index]
+            operation: Any = _OPERATIONS[type(node.op)]
             return float(operation(value(node.left), value(node.right)))
         return constants[ast.unparse(node)]
 
