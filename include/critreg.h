@@ -1758,9 +1758,12 @@ typedef struct critreg_planner_config {
      */
     uint32_t skeletons_per_state;
     /**
-     * Always 0.
+     * With skills: how many draws of the parameters of a step are followed, in the states
+     * that are expected of the steps after it, before the step is taken for impossible; and
+     * likewise the steps of a sequence before it is postponed. Default 0: none are, and only
+     * what holds with all parameters counts.
      */
-    uint32_t reserved;
+    uint32_t lookahead;
 } critreg_planner_config;
 
 /**
@@ -2209,9 +2212,10 @@ typedef struct critreg_skills_config {
      */
     uint32_t runs;
     /**
-     * Always 0.
+     * Controllers that may be run on the way to one situation, at each attempt. Default
+     * 10000; say less where a run is expensive.
      */
-    uint32_t reserved;
+    uint32_t way;
     /**
      * Called after each run of a controller. Default NULL.
      */

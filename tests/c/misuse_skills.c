@@ -490,7 +490,7 @@ int main(void)
     learn_undisturbed();
     stopped_and_resumed(7, 0, 256);
     stopped_and_resumed(7, 1, 256);
-    stopped_and_resumed(90, 1, 10);
+    stopped_and_resumed(60, 1, 10);
     failing_callbacks();
     wrong_configurations();
     wrong_additions();

@@ -1,6 +1,6 @@
 //! What controllers change.
 
-use super::tuning::CONSTANT_RUNS;
+use super::tuning::{AGREEING, CONSTANT_RUNS};
 use crate::domain::MAX_TYPES;
 use crate::error::Error;
 use crate::task::{ControllerId, MAX_ARGUMENTS, ObjectId, State};
@@ -19,6 +19,8 @@ pub struct Changes {
     own: [Effect; MAX_ARGUMENTS],
     /// A bit for each attribute; the last also for those beyond.
     others: [u32; MAX_TYPES],
+    /// In how many runs any attribute of others of a type changed.
+    touched: [u32; MAX_TYPES],
 }
 
 /// What happens to one object.
@@ -41,6 +43,7 @@ impl Changes {
 
     /// Takes in a run of the controller with these objects.
     pub fn observe(&mut self, objects: &[ObjectId], before: &State, after: &State) {
+        let mut touched = [false; MAX_TYPES];
         for (object, kind) in before.objects() {
             let (Some(old), Some(new)) = (before.attributes(object), after.attributes(object))
             else {
@@ -57,8 +60,14 @@ impl Changes {
                     if let Some(others) = self.others.get_mut(usize::from(kind.0)) {
                         *others |= bits;
                     }
+                    if let Some(own) = touched.get_mut(usize::from(kind.0)) {
+                        *own |= bits != 0;
+                    }
                 }
             }
+        }
+        for (count, own) in self.touched.iter_mut().zip(touched) {
+            *count += u32::from(own);
         }
         self.runs = self.runs.saturating_add(1);
     }
@@ -79,6 +88,15 @@ impl Changes {
         self.runs == 0 || changed.is_none_or(|bits| bits & bit(attribute) != 0)
     }
 
+    /// Whether nearly all runs leave objects of a type alone that are not the controller's: a
+    /// hand that took two things at once did so by chance.
+    fn leaves_alone(&self, objects: &[ObjectId], state: &State, object: ObjectId) -> bool {
+        let kind = state.type_of(object).filter(|_| !objects.contains(&object));
+        let touched = kind.and_then(|kind| self.touched.get(usize::from(kind.0)));
+        let most = (1.0 - AGREEING) * f64::from(self.runs);
+        self.runs > 0 && touched.is_some_and(|count| f64::from(*count) <= most)
+    }
+
     /// The value that an attribute of an own object has after every run, as far as was
     /// seen, if the controller changes it.
     fn constant(&self, objects: &[ObjectId], object: ObjectId, attribute: usize) -> Option<f64> {
@@ -89,10 +107,20 @@ impl Changes {
     }
 
     /// Makes of a state what is expected of it after a run of the controller with these
-    /// objects. What cannot be told is added to `unknown`, a bit per number of the state.
-    pub(super) fn predict(&self, objects: &[ObjectId], state: &mut State, unknown: &mut u64) {
+    /// objects. What cannot be told is added to `unknown`, a bit per number of the state; if
+    /// what happens `mostly` is wanted, others that are nearly always left alone are.
+    pub(super) fn predict(
+        &self,
+        objects: &[ObjectId],
+        state: &mut State,
+        unknown: &mut u64,
+        mostly: bool,
+    ) {
         for index in 0..state.objects().count() {
             let object = ObjectId(index as u8);
+            if mostly && self.leaves_alone(objects, state, object) {
+                continue;
+            }
             let first = state.place(object).unwrap_or(0);
             for attribute in 0..state.attributes(object).map_or(0, <[f64]>::len) {
                 let bit = 1u64.wrapping_shl((first + attribute) as u32);
@@ -122,7 +150,8 @@ impl Changes {
             writer.u32(own.varies);
             own.values.iter().for_each(|value| writer.f64(*value));
         }
-        self.others.iter().for_each(|bits| writer.u32(*bits));
+        let others = self.others.iter().chain(&self.touched);
+        others.for_each(|number| writer.u32(*number));
     }
 
     /// Reads what [`Changes::write`] wrote.
@@ -137,8 +166,8 @@ impl Changes {
                 *value = reader.f64()?;
             }
         }
-        for bits in &mut changes.others {
-            *bits = reader.u32()?;
+        for number in changes.others.iter_mut().chain(&mut changes.touched) {
+            *number = reader.u32()?;
         }
         Ok(changes)
     }

@@ -15,7 +15,7 @@
 //!
 //! | word | what it is |
 //! |---|---|
-//! | [`Skills`] | the store: a [`Skill`] for each text, with its region, and what controllers change ([`Changes`]) |
+//! | [`Skills`] | the store: a [`Skill`] for each text, with its region, and what controllers change ([`Changes`]) and where they leave things ([`Effects`]) |
 //! | [`RoleBinding`] | how the objects of a text, its *roles*, are filled from a [`Context`]: a state and the objects of ground operators |
 //! | [`write_pair`] | the text of two controllers, of what is said of each |
 //! | [`Setting`], [`Practice`] | what is asked of an environment, or of a program behind callbacks: to use skills, and to learn them |
@@ -94,6 +94,7 @@
 mod changes;
 mod context;
 mod description;
+mod effects;
 mod pair;
 mod planning;
 mod role_binding;
@@ -106,6 +107,7 @@ mod tuning;
 pub use changes::Changes;
 pub use context::Context;
 pub use description::{Describe, Description};
+pub use effects::Effects;
 pub use pair::{Later, write_pair};
 pub use planning::{RegionGuide, RegionSampler};
 pub use role_binding::RoleBinding;

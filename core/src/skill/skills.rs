@@ -2,6 +2,7 @@
 
 use super::changes::Changes;
 use super::description::{Describe, Description};
+use super::effects::Effects;
 use super::role_binding::RoleBinding;
 use super::setting::{Setting, Signature};
 use crate::domain::Domain;
@@ -21,6 +22,7 @@ pub struct Skill {
     region: Option<Region>,
     /// A bit for each number of an instance that the region reads.
     reads: u64,
+    effects: Effects,
 }
 
 const _: () = assert!(MAX_STATE_VALUES <= 64, "there is a bit per number");
@@ -52,6 +54,7 @@ impl Skill {
             shared: Vec::new(),
             region: None,
             reads: 0,
+            effects: Effects::default(),
         })
     }
 
@@ -111,6 +114,16 @@ impl Skill {
         };
         self.reads = region.as_ref().map_or(0, reads);
         self.region = region;
+    }
+
+    /// Where the controller leaves its objects, as far as was seen.
+    pub fn effects(&self) -> &Effects {
+        &self.effects
+    }
+
+    /// Takes this for what was seen.
+    pub fn set_effects(&mut self, effects: Effects) {
+        self.effects = effects;
     }
 
     /// Whether it is about parameters, and not about states only.

@@ -29,6 +29,16 @@ pub(super) const TRIES: u32 = 2;
 /// often, and the others are not to be trusted.
 pub(super) const CONSTANT_RUNS: u32 = 3;
 
+/// Runs of a controller that have to agree about where it leaves an object.
+pub(super) const EFFECT_RUNS: usize = 4;
+
+/// The share of the runs that has to agree: a few end elsewhere, as the way was blocked.
+pub(super) const AGREEING: f64 = 0.7;
+
+/// How far runs that agree may be apart, as a share of one more than the value: simulators
+/// compute in single precision, and drive in steps.
+pub(super) const EFFECT_TOLERANCE: f64 = 1e-3;
+
 /// The share of an interval that the first draw of a step leaves out at both ends. With
 /// none, planning begins anew 8 times; with 0.05, 4 times; with 0.2, 8 times.
 pub(super) const MARGIN: f64 = 0.1;

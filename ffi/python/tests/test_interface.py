@@ -5,8 +5,18 @@ import pathlib
 import re
 import unittest
 
-from critreg import Advice, Heuristic, Options, Quality, Status, Why, _library, _structs
-from critreg.planner import PlannerOptions
+from critreg import (
+    Advice,
+    Heuristic,
+    Options,
+    PlannerOptions,
+    Quality,
+    SkillsOptions,
+    Status,
+    Why,
+    _library,
+    _structs,
+)
 
 HEADER = pathlib.Path(__file__).resolve().parents[3] / "include" / "critreg.h"
 # Of all comments, so that what is left is declarations.
@@ -33,6 +43,9 @@ STRUCTS = {
     "callbacks": _structs.CallbacksStruct,
     "step": _structs.StepStruct,
     "metrics": _structs.Metrics,
+    "training": _structs.Training,
+    "skills_config": _structs.SkillsConfig,
+    "skill_report": _structs.SkillReport,
 }
 # Answered by others, or for programs that lend memory; beside them the built-in environment.
 NOT_WRAPPED = {
@@ -44,7 +57,7 @@ NOT_WRAPPED = {
     "critreg_learner_parameter_count",
     "critreg_check_config",
     "critreg_sample_region_many",
-    "critreg_planner_reason_text",
+    "critreg_skills_align",
 }
 
 
@@ -86,7 +99,7 @@ class Interface(unittest.TestCase):
         for name, types in _library.ARGUMENTS.items():
             self.assertEqual(len(types), declared.get(name), name)
         left_out = set(declared) - set(_library.ARGUMENTS)
-        others = "stick_button", "critreg_skill", "_recover"
+        others = "stick_button", "_recover"
         left_out = {name for name in left_out if not any(part in name for part in others)}
         self.assertEqual(left_out, NOT_WRAPPED)
 
@@ -114,6 +127,10 @@ class Interface(unittest.TestCase):
         self.assertEqual(set(Options.__annotations__) - config, {"room"})
         planner = {name for name, _ in _structs.PlannerConfig._fields_}
         self.assertLessEqual(set(PlannerOptions.__annotations__), planner)
+        skills = {name for name, _ in _structs.SkillsConfig._fields_}
+        # Room for training tasks is for those that are given.
+        others = {"struct_size", "progress", "progress_data", "tasks"}
+        self.assertEqual(skills - set(SkillsOptions.__annotations__), others)
 
 
 if __name__ == "__main__":

@@ -111,13 +111,24 @@ pub struct critreg_planner_config {
     /// action has parameters it is 1. Default 4. 0 is no bound: then a beginning of a
     /// skeleton that cannot work is tried again in others, too.
     pub skeletons_per_state: u32,
-    /// Always 0.
-    pub reserved: u32,
+    /// With skills: how many draws of the parameters of a step are followed, in the states
+    /// that are expected of the steps after it, before the step is taken for impossible; and
+    /// likewise the steps of a sequence before it is postponed. Default 0: none are, and only
+    /// what holds with all parameters counts.
+    pub lookahead: u32,
 }
 
 // SAFETY: it is repr(C) and starts with struct_size.
 unsafe impl Versioned for critreg_planner_config {
     const FIRST: usize = size_of::<critreg_planner_config>();
+}
+
+/// A configuration that was read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Settings {
+    pub(crate) plan: plan::Config,
+    /// Draws that skills follow.
+    pub(crate) lookahead: u32,
 }
 
 /// Links between atoms and an operator, on the average at most.
@@ -175,7 +186,7 @@ fn defaults() -> critreg_planner_config {
         atoms: CRITREG_DEFAULT_ATOMS,
         facts: CRITREG_DEFAULT_FACTS,
         skeletons_per_state: 4,
-        reserved: 0,
+        lookahead: 0,
     }
 }
 
@@ -218,8 +229,8 @@ impl critreg_planner_config {
         })
     }
 
-    /// What [`plan::Planner`] wants to know.
-    pub(crate) fn settings(&self) -> Fallible<plan::Config> {
+    /// How to plan.
+    pub(crate) fn settings(&self) -> Fallible<Settings> {
         let heuristic = match self.heuristic {
             CRITREG_LM_CUT => Heuristic::LandmarkCut,
             CRITREG_H_MAX => Heuristic::Max,
@@ -227,7 +238,7 @@ impl critreg_planner_config {
             CRITREG_BLIND => Heuristic::Blind,
             _ => return Err(Failure::invalid("there is no heuristic with this number")),
         };
-        Ok(plan::Config {
+        let plan = plan::Config {
             heuristic,
             max_skeletons: self.max_skeletons,
             max_tries: self.max_tries,
@@ -239,6 +250,10 @@ impl critreg_planner_config {
                 bound => bound,
             },
             patience: self.patience,
+        };
+        Ok(Settings {
+            plan,
+            lookahead: self.lookahead,
         })
     }
 }

@@ -2,13 +2,13 @@
 
 use crate::boundary::handle::{self, Exclusive, Handle};
 use crate::boundary::status::{Fallible, critreg_status};
+use crate::planner::config::Settings;
 use crate::planner::metrics::critreg_metrics;
 use crate::planner::tables::Tables;
 use crate::planner::why::Reason;
 use core::cell::Cell;
 use core::fmt::{self, Write as _};
 use critreg_core::pddl::Problem;
-use critreg_core::plan;
 use critreg_core::task::GroundAtom;
 
 /// A planner for one problem. It lies at the start of the memory it was made in.
@@ -29,7 +29,7 @@ pub struct critreg_planner {
 /// What a call on a planner borrows.
 pub(crate) struct Inner {
     pub(crate) tables: Tables,
-    pub(crate) settings: plan::Config,
+    pub(crate) settings: Settings,
     /// How many steps of the tables are the plan that was found last.
     pub(crate) plan_length: usize,
 }
@@ -57,7 +57,7 @@ impl critreg_planner {
     pub(crate) unsafe fn put(
         place: *mut critreg_planner,
         tables: Tables,
-        settings: plan::Config,
+        settings: Settings,
         words: Words,
     ) {
         let made = critreg_planner {

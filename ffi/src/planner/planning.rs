@@ -4,6 +4,7 @@ use crate::boundary::handle;
 use crate::boundary::pointer::{self, Output};
 use crate::boundary::status::{Failure, Fallible, critreg_status};
 use crate::planner::callbacks::critreg_callbacks;
+use crate::planner::config::Settings;
 use crate::planner::handle::{Inner, critreg_planner, with_planner};
 use crate::planner::metrics::{critreg_metrics, verdict};
 use crate::planner::tables::{Numbers, Ranges, SetTables, Sets, Tables, with_sets};
@@ -16,8 +17,7 @@ use core::ffi::c_void;
 use critreg_core::Error;
 use critreg_core::pddl::MAX_ACTIONS;
 use critreg_core::plan::{
-    self, AbstractTask, Conclusion, HeuristicMemory, Memory, Planner, Progress, SearchMemory,
-    Waiting,
+    AbstractTask, Conclusion, HeuristicMemory, Memory, Planner, Progress, SearchMemory, Waiting,
 };
 use critreg_core::random::generator;
 use critreg_core::task::{AtomSet, GroundAtom, OperatorId};
@@ -176,7 +176,7 @@ struct Call<'a> {
     program: Program<'a>,
     initial: &'a Numbers,
     sequence: Sequence<'a>,
-    settings: plan::Config,
+    settings: Settings,
     seed: u64,
 }
 
@@ -211,8 +211,14 @@ impl Call<'_> {
         };
         let skills = known.known();
         let initial = setting.state(self.initial)?;
-        let draws = SkillDraws::new(&setting, &skills, &initial);
-        let guide = SkillGuide::new(&setting, &skills, &initial, program.callbacks.prune != 0);
+        let lookahead = self.settings.lookahead;
+        let draws = SkillDraws::new(&setting, &skills, &initial, lookahead);
+        let guide = SkillGuide::new(
+            &setting,
+            &skills,
+            &initial,
+            (program.callbacks.prune != 0, lookahead),
+        );
         let call = Call { program, ..*self };
         with_sets!(sets, sets => call.plan(sets, shared, Some(draws), Some(guide)))
     }
@@ -271,7 +277,7 @@ impl Call<'_> {
                 skills: draws,
             },
             guide: &mut guide,
-            config: self.settings,
+            config: self.settings.plan,
         };
         let (lots, samples) = (generator(self.seed), || generator(self.seed));
         let planned = planner.plan(task, self.initial, lots, samples, memory)?;
@@ -285,7 +291,7 @@ impl Call<'_> {
             // What is not a reason of the skills has no words.
             let _ = skills.explain(sets.operators, main, &mut words);
         }
-        let reason = Reason::new(&planned, sets.missing, &self.settings);
+        let reason = Reason::new(&planned, sets.missing, &self.settings.plan);
         self.handle.reason.set(reason);
         Ok((planned.conclusion, planned.steps.len()))
     }

@@ -106,10 +106,17 @@ pub(crate) struct SkillDraws<'a> {
 
 impl<'a> SkillDraws<'a> {
     /// Of these skills, in states like this one.
-    pub(crate) fn new(setting: &'a Planned<'a>, skills: &'a Skills<'_>, state: &State) -> Self {
+    pub(crate) fn new(
+        setting: &'a Planned<'a>,
+        skills: &'a Skills<'_>,
+        state: &State,
+        lookahead: u32,
+    ) -> Self {
+        let mut sampler = RegionSampler::new(setting, skills);
+        sampler.lookahead = lookahead;
         SkillDraws {
             setting,
-            sampler: RegionSampler::new(setting, skills),
+            sampler,
             state: state.clone(),
         }
     }
@@ -153,10 +160,10 @@ impl<'a> SkillGuide<'a> {
         setting: &'a Planned<'a>,
         skills: &'a Skills<'_>,
         initial: &'a State,
-        prune: bool,
+        (prune, lookahead): (bool, u32),
     ) -> Self {
         let mut guide = RegionGuide::new(setting, skills, initial);
-        guide.prune = prune;
+        (guide.prune, guide.lookahead) = (prune, lookahead);
         SkillGuide { setting, guide }
     }
 

@@ -70,8 +70,9 @@ pub struct critreg_skills_config {
     /// Runs of controllers to keep of the skill that is being learned: after a stop they are
     /// not repeated. Default 512.
     pub runs: u32,
-    /// Always 0.
-    pub reserved: u32,
+    /// Controllers that may be run on the way to one situation, at each attempt. Default
+    /// 10000; say less where a run is expensive.
+    pub way: u32,
     /// Called after each run of a controller. Default NULL.
     pub progress: critreg_training_progress,
     /// Passed to the progress callback. Default NULL.
@@ -101,7 +102,7 @@ fn defaults() -> critreg_skills_config {
         nodes: 1024,
         facts: 512,
         runs: 512,
-        reserved: 0,
+        way: training.way,
         progress: None,
         progress_data: core::ptr::null_mut(),
     }
@@ -197,6 +198,7 @@ pub(crate) unsafe fn read(config: *const critreg_skills_config) -> Fallible<Sett
             tasks: config.situation_tasks as usize,
             situations: config.situations as usize,
             states: config.states as usize,
+            way: config.way,
         },
         capacity: SkillsCapacity {
             state_len: config.state_len as usize,

@@ -296,6 +296,7 @@ impl Inner {
             training.tasks as u32,
             training.situations as u32,
             training.states as u32,
+            training.way,
             learner.calls,
             learner.certifying,
             self.settings.capacity.learner.forms as u32,

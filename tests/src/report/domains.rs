@@ -48,6 +48,7 @@ pub fn training() -> Training {
         },
         chained: 60,
         budget: 245,
+        way: 10_000,
         tasks: 12,
         situations: 34,
         states: 26,

@@ -453,6 +453,7 @@ fn learned<'m>(room: &'m mut SkillRoom, seed: u64, count: usize) -> Skills<'m> {
         states: count,
         chained: 100,
         budget: 0,
+        way: 10_000,
         learner: LearnerConfig {
             calls: 200,
             slack: 0.0,

@@ -39,6 +39,7 @@ fn observe(skills: &mut Skills<'_>) {
     let training = Training {
         chained: 20,
         budget: 0,
+        way: 10_000,
         tasks: 10,
         situations: 4,
         states: 10,
@@ -90,6 +91,30 @@ fn draw_from(
 const NODES: usize = 10_000;
 
 // Learning
+
+#[test]
+fn steps_are_followed_to_where_controllers_leave_things() {
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&ENVIRONMENT).unwrap();
+    learn(&mut skills, 3, &mut TrainingRoom::new(Training::default())).unwrap();
+    let press = skills.about(ROBOT_PRESS_BUTTON, None).next().unwrap();
+    assert!(!press.effects().is_empty(), "the robot is at the button");
+    let mut room = Room::new(NODES);
+    let (mut samples, mut length) = (0, 0);
+    for task in tasks(77, 3..=4, 20) {
+        let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
+        let (mut sampler, mut guide) = guided(&skills, &task);
+        (sampler.lookahead, guide.lookahead) = (8, 8);
+        let planned = plan(&task, &grounding, (sampler, guide), &mut room);
+        assert_eq!(planned.conclusion, Conclusion::Solved);
+        samples += planned.metrics.samples;
+        length += planned.metrics.plan_length;
+    }
+    assert!(
+        f64::from(samples) <= 1.05 * f64::from(length),
+        "{samples} for {length}"
+    );
+}
 
 #[test]
 fn learned_skills_need_about_a_sample_per_step() {

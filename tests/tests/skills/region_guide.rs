@@ -20,6 +20,7 @@ fn observe<E: Describe>(environment: &E, skills: &mut Skills<'_>, tasks: &[Task]
     let training = Training {
         chained: 20,
         budget: 0,
+        way: 10_000,
         tasks: 10,
         situations: 4,
         states,

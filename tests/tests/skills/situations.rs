@@ -22,6 +22,7 @@ use critreg_tests::plan::skills::{SkillRoom, TrainingRoom};
 const TRAINING: Training = Training {
     chained: 20,
     budget: 0,
+    way: 10_000,
     tasks: 12,
     situations: 12,
     states: 100,

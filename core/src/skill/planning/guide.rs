@@ -1,13 +1,15 @@
 //! The region guide.
 
+use super::expectation::Expectation;
+use super::foresight::{Foresight, Reach};
 use super::knowledge::{Knowledge, reason};
 use crate::error::Error;
 use crate::plan::{Advice, Guide, Skeleton};
+use crate::random::generator;
 use crate::skill::changes::Changes;
-use crate::skill::context::Context;
 use crate::skill::setting::Setting;
-use crate::skill::skills::{Known, Skill, Skills};
-use crate::task::{ObjectId, State};
+use crate::skill::skills::{Known, Skills};
+use crate::task::State;
 
 /// A region guide: it keeps the search of a bilevel planner from sequences of operators
 /// that cannot work, for all that was learned (sequential feasibility, thesis 7.2).
@@ -26,6 +28,9 @@ pub struct RegionGuide<'a, E> {
     pub(super) initial: &'a State,
     /// Whether to prune what cannot work, and not only to postpone it.
     pub prune: bool,
+    /// How many draws of the parameters on the way a sequence is given to come to its end in
+    /// what is expected; 0, the default: it is judged only by what holds whatever they are.
+    pub lookahead: u32,
 }
 
 impl<'a, E: Setting> RegionGuide<'a, E> {
@@ -47,40 +52,55 @@ impl<'a, E: Setting> RegionGuide<'a, E> {
             changes,
             initial,
             prune: false,
+            lookahead: 0,
         }
     }
 
-    /// The state that is expected after these steps, and a bit for each number of it that
-    /// cannot be told.
-    fn expected<const N: usize>(&self, before: Skeleton<'_, N>) -> (State, u64) {
-        let (mut state, mut unknown) = (self.initial.clone(), 0);
+    /// The state that is expected after these steps, whatever their parameters.
+    fn expected<const N: usize>(&self, before: Skeleton<'_, N>) -> Expectation {
+        let mut now = Expectation::of(self.initial);
         for ground in before.iter() {
             match self.knowledge.controller(ground) {
-                Some(own) => {
-                    let changes = Changes::of(self.changes, own.id);
-                    changes.predict(own.objects.as_slice(), &mut state, &mut unknown);
-                }
-                None => unknown = u64::MAX,
+                Some(own) => now.change(self.changes, &own, false),
+                None => now.forget(),
             }
         }
-        (state, unknown)
+        now
     }
 
     /// Whether the last operator of a sequence cannot work.
     fn is_blocked<const N: usize>(&self, prefix: Skeleton<'_, N>) -> Result<bool, Error> {
         for step in (0..prefix.len()).filter(|step| self.is_known(prefix, *step)) {
-            let (state, unknown) = self.expected(prefix.until(step));
+            let now = self.expected(prefix.until(step));
             let steps = prefix.from(step);
             let joint = self
                 .knowledge
-                .joint_region(steps, &state, |skill, context| {
-                    is_told(skill, context, unknown)
+                .joint_region(steps, &now.state, |skill, context| {
+                    now.tells_region(skill, context)
                 });
             if joint.is_proven_empty()? {
                 return Ok(true);
             }
         }
-        Ok(false)
+        self.is_out_of_reach(prefix)
+    }
+
+    /// Whether a sequence does not come to its end with any of some draws, of those that
+    /// the look-ahead allows.
+    fn is_out_of_reach<const N: usize>(&self, prefix: Skeleton<'_, N>) -> Result<bool, Error> {
+        let foresight = Foresight {
+            knowledge: &self.knowledge,
+            changes: self.changes,
+        };
+        let mut rng = generator(prefix.len() as u64);
+        for _ in 0..self.lookahead {
+            match foresight.follow(prefix, Expectation::of(self.initial), &mut rng)? {
+                Reach::End => return Ok(false),
+                Reach::Step(_) => {}
+                Reach::Never(_) => return Ok(true),
+            }
+        }
+        Ok(self.lookahead > 0)
     }
 
     /// Whether something is known of a step and the last one of a sequence, or of that
@@ -94,30 +114,6 @@ impl<'a, E: Setting> RegionGuide<'a, E> {
         let last = last.and_then(controller).map(|last| last.id);
         self.knowledge.has_region(own.id, last)
     }
-}
-
-/// Whether all that the region of a skill reads can be told; `unknown` has a bit for each
-/// number of the state that cannot.
-fn is_told(skill: &Skill, context: &Context<'_, impl Setting>, unknown: u64) -> bool {
-    let (state, binding) = (context.state, skill.binding());
-    let is_unknown = |object: ObjectId, attribute: usize| {
-        let number = state.place(object).map_or(63, |first| first + attribute);
-        unknown >> number.min(63) & 1 == 1
-    };
-    let depends_on = |object: ObjectId| {
-        let count = state.attributes(object).map_or(0, <[f64]>::len);
-        (0..count).any(|attribute| is_unknown(object, attribute))
-    };
-    let is_told = |slot: usize| {
-        let source = binding.source(slot, context);
-        let own = source.is_none_or(|(object, attribute)| !is_unknown(object, attribute));
-        // Who is a member at all may depend on anything.
-        let kind = binding.kind_of_members(slot);
-        let kind = kind.filter(|kind| context.is_narrowed(*kind));
-        let mut members = kind.into_iter().flat_map(|kind| state.of_type(kind));
-        own && !members.any(depends_on)
-    };
-    unknown == 0 || skill.reads().all(is_told)
 }
 
 impl<E: Setting, const N: usize> Guide<N> for RegionGuide<'_, E> {

@@ -47,6 +47,12 @@ impl<'a, E: Setting> Knowledge<'a, E> {
         })
     }
 
+    /// What is known of a controller alone, with its objects.
+    pub(super) fn about(&self, own: &GroundController) -> impl Iterator<Item = &'a Skill> {
+        let known = self.library.about(own.id, None);
+        known.filter(|skill| skill.is_about(own.objects.as_slice(), &[]))
+    }
+
     /// Whether there is a region of a controller, or of it and a later one.
     pub(super) fn has_region(&self, id: ControllerId, later: Option<ControllerId>) -> bool {
         let mut known = self.library.about(id, later);

@@ -1,6 +1,8 @@
 //! Planning with skills.
 
+mod expectation;
 mod explain;
+mod foresight;
 mod guide;
 mod here;
 mod joint_region;

@@ -1,11 +1,15 @@
 //! The region-guided sampler.
 
+use super::expectation::Expectation;
+use super::foresight::Foresight;
 use super::joint_region::JointRegion;
 use super::knowledge::{Knowledge, reason};
 use super::original::completed;
 use crate::error::Error;
 use crate::plan::{Draw, Drawn, Sampler, World};
 use crate::random::uniform;
+use crate::region::Theta;
+use crate::skill::changes::Changes;
 use crate::skill::setting::Setting;
 use crate::skill::skills::{Library, Skills};
 use crate::skill::tuning::{MARGIN, REGION_DRAWS};
@@ -34,12 +38,20 @@ pub struct RegionSampler<'a, E> {
     /// are out of reach. Without any they are until patience ends: see
     /// [`Config::patience`](crate::plan::Config::patience).
     pub everywhere: f64,
+    /// How many draws of a step are followed to the end of the skeleton, in what is expected
+    /// of the steps after it, before it is taken for impossible; 0, the default: none is.
+    pub lookahead: u32,
+    changes: &'a [Changes],
 }
 
 impl<'a, E: Setting> RegionSampler<'a, E> {
     /// The sampler that draws from what is known of an environment.
     pub fn new(environment: &'a E, skills: &'a Skills<'_>) -> Self {
-        RegionSampler::from_library(environment, skills.library())
+        let (library, changes) = skills.known();
+        RegionSampler {
+            changes,
+            ..RegionSampler::from_library(environment, library)
+        }
     }
 
     pub(in crate::skill) fn from_library(environment: &'a E, library: Library<'a>) -> Self {
@@ -51,6 +63,8 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
             margin: MARGIN,
             tries: REGION_DRAWS,
             everywhere: 0.0,
+            lookahead: 0,
+            changes: &[],
         }
     }
 
@@ -80,22 +94,37 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
         draw: &Draw<'_, State, N>,
         rng: &mut R,
     ) -> Result<Option<Drawn>, Error> {
-        if joint.regions().is_empty() {
-            return Ok(None);
-        }
         let own = self.knowledge.controller(draw.operator);
-        let sampled = own.is_some_and(|own| own.controller.parameters > 0);
+        let sampled = own
+            .as_ref()
+            .is_some_and(|own| own.controller.parameters > 0);
         if sampled && joint.parameters() == 0 {
             // What is known is about the state, and leaves the parameters free.
             let empty = joint.is_proven_empty()?;
-            return empty.then(|| blame(joint, draw)).transpose();
+            if empty {
+                return blame(joint, draw).map(Some);
+            }
+            let mut known = own.iter().flat_map(|own| self.knowledge.about(own));
+            let foreseen = self.lookahead > 0 && known.any(|skill| !skill.effects().is_empty());
+            return match foreseen {
+                true => self.foreseen_original(draw, rng).map(Some),
+                false => Ok(None),
+            };
+        }
+        if joint.regions().is_empty() {
+            return Ok(None);
         }
         if draw.attempt > self.tries {
             return Ok(Some(Drawn::Empty(reason(draw.skeleton, draw.step))));
         }
         let margin = if draw.attempt > 1 { 0.0 } else { self.margin };
-        match joint.sample(margin, rng) {
-            Ok(theta) => {
+        let drawn = match joint.sample(margin, rng) {
+            Ok(theta) if joint.parameters() > 0 => self.foreseen(theta, joint, (draw, margin), rng),
+            drawn => drawn.map(Ok),
+        };
+        match drawn {
+            Ok(Err(step)) => Ok(Some(Drawn::Empty(reason(draw.skeleton, step)))),
+            Ok(Ok(theta)) => {
                 let theta = theta.get(..joint.parameters()).unwrap_or_default();
                 let (ground, state) = (draw.operator, draw.state);
                 let parameters = completed(self.knowledge.environment, ground, state, theta, rng);
@@ -104,6 +133,63 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
             // That nothing was found is no proof, but this is advice, and ends.
             Err(Error::EmptyRegion | Error::NoSample) => blame(joint, draw).map(Some),
             Err(error) => Err(error),
+        }
+    }
+}
+
+impl<E: Setting> RegionSampler<'_, E> {
+    /// These parameters, or others from where the regions meet, with which the steps after
+    /// this one can work, too; or the step that cannot with any of them.
+    fn foreseen<R: Rng, const N: usize>(
+        &self,
+        mut theta: Theta,
+        joint: &JointRegion<'_>,
+        (draw, margin): (&Draw<'_, State, N>, f64),
+        rng: &mut R,
+    ) -> Result<Result<Theta, usize>, Error> {
+        let foresight = self.foresight();
+        let steps = draw.skeleton.from(draw.step);
+        let mut farthest = 0;
+        for _ in 0..self.lookahead {
+            let now = Expectation::of(draw.state);
+            match foresight.obstacle(steps, now, &theta, rng)? {
+                None => return Ok(Ok(theta)),
+                Some(step) => farthest = farthest.max(step),
+            }
+            theta = joint.sample(margin, rng)?;
+        }
+        Ok(match self.lookahead {
+            0 => Ok(theta),
+            _ => Err(draw.step + farthest),
+        })
+    }
+}
+
+impl<'a, E: Setting> RegionSampler<'a, E> {
+    /// Parameters of the original sampler with which the steps after this one can work.
+    fn foreseen_original<R: Rng, const N: usize>(
+        &self,
+        draw: &Draw<'_, State, N>,
+        rng: &mut R,
+    ) -> Result<Drawn, Error> {
+        let (foresight, steps) = (self.foresight(), draw.skeleton.from(draw.step));
+        let mut farthest = 0;
+        for _ in 0..self.lookahead {
+            let now = Expectation::of(draw.state);
+            let environment = self.knowledge.environment;
+            let parameters = completed(environment, draw.operator, draw.state, &[], rng);
+            match foresight.obstacle(steps, now, &parameters, rng)? {
+                None => return Ok(Drawn::Informed(parameters)),
+                Some(step) => farthest = farthest.max(step),
+            }
+        }
+        Ok(Drawn::Empty(reason(draw.skeleton, draw.step + farthest)))
+    }
+
+    fn foresight(&self) -> Foresight<'_, 'a, E> {
+        Foresight {
+            knowledge: &self.knowledge,
+            changes: self.changes,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::learn::Config;
 use crate::learn::version_space::{Quality, Report, Why};
+use crate::plan;
 use crate::skill::tuning::CANDIDATES;
 
 /// How much is tried to learn a skill. The defaults suit an environment whose tasks cost
@@ -22,6 +23,8 @@ pub struct Training {
     pub situations: usize,
     /// Situations of a text without parameters, each of which is tried once.
     pub states: usize,
+    /// Controllers that may be run on the way to one situation, at each attempt.
+    pub way: u32,
 }
 
 impl Default for Training {
@@ -33,6 +36,7 @@ impl Default for Training {
             tasks: 150,
             situations: 20,
             states: 150,
+            way: plan::Config::default().max_samples,
         }
     }
 }

@@ -1,16 +1,18 @@
 //! The oracle that the learner of a skill asks.
 
-use super::situation::{MAX_CHAIN, Situation};
+use super::situation::{MAX_CHAIN, Situation, controller_objects};
 use crate::error::Error;
 use crate::learn::Outcome;
 use crate::plan::{Draw, Drawn, Skeleton};
 use crate::random::Generator;
 use crate::skill::changes::Changes;
+use crate::skill::context::Context;
+use crate::skill::effects::{Runs, terms};
 use crate::skill::planning::{RegionSampler, completed};
 use crate::skill::setting::{Practice, Setting};
-use crate::skill::skills::{Library, Skills};
+use crate::skill::skills::{Library, Skill, Skills};
 use crate::skill::tuning::TRIES;
-use crate::task::{GroundOperator, State};
+use crate::task::{GroundOperator, MAX_STATE_VALUES, State};
 
 /// Answers whether parameters are feasible in a situation, by running controllers (the
 /// simulator of thesis 4.3). What they change is noted.
@@ -19,7 +21,15 @@ pub struct Oracle<'a, E> {
     environment: &'a E,
     library: Library<'a>,
     changes: &'a mut [Changes],
+    watched: Option<Watched<'a>>,
     runs: u32,
+}
+
+/// A skill whose runs are noted, to see where its controller leaves things.
+#[derive(Debug)]
+struct Watched<'a> {
+    skill: &'a Skill,
+    runs: &'a mut Runs,
 }
 
 /// What came of operators.
@@ -47,8 +57,14 @@ impl<'a, E: Practice> Oracle<'a, E> {
             environment,
             library,
             changes,
+            watched: None,
             runs: 0,
         }
+    }
+
+    /// Notes the runs of a skill's controller from now on.
+    pub(super) fn watch(&mut self, skill: &'a Skill, runs: &'a mut Runs) {
+        self.watched = Some(Watched { skill, runs });
     }
 
     /// How many controllers were run.
@@ -73,7 +89,12 @@ impl<'a, E: Practice> Oracle<'a, E> {
     ) -> Result<Outcome, Error> {
         let (mut outcome, mut first) = (Outcome::FailedStep(1), Tried::Fails);
         let mut after = situation.state.clone();
-        for attempt in 1..=TRIES {
+        let mut free = theta.is_some();
+        for ground in &situation.steps {
+            free |= is_sampled(self.environment, ground)?;
+        }
+        // Without parameters it would be the same again.
+        for attempt in 1..=if free { TRIES } else { 1 } {
             // Given parameters need no second run.
             if theta.is_none() || attempt == 1 {
                 after.clone_from(&situation.state);
@@ -145,6 +166,9 @@ impl<'a, E: Practice> Oracle<'a, E> {
         if let Some(changes) = self.changes.get_mut(usize::from(controller.0)) {
             changes.observe(objects.as_slice(), state, &after);
         }
+        if let Some(watched) = self.watched.as_mut().filter(|_| step == 0) {
+            watched.note(environment, situation, &parameters, &after)?;
+        }
         *state = after;
         Ok(Tried::Works)
     }
@@ -186,4 +210,36 @@ impl<'a, E: Practice> Oracle<'a, E> {
 fn is_sampled(environment: &impl Setting, ground: &GroundOperator) -> Result<bool, Error> {
     let (controller, _) = environment.call(ground.operator, ground.objects.as_slice())?;
     Ok(environment.signature(controller)?.parameters > 0)
+}
+
+impl Watched<'_> {
+    /// Notes a run of the first operator of a situation.
+    fn note(
+        &mut self,
+        environment: &impl Setting,
+        situation: &Situation,
+        parameters: &[f64],
+        after: &State,
+    ) -> Result<(), Error> {
+        let mut numbers = [0.0; MAX_STATE_VALUES];
+        let (Some(instance), Some(ground)) = (
+            numbers.get_mut(..self.skill.binding().len()),
+            situation.steps.first(),
+        ) else {
+            return Ok(());
+        };
+        situation.instance(environment, self.skill, instance)?;
+        let terms = terms(self.skill.domain(), instance, parameters)?;
+        let objects = controller_objects(environment, ground)?;
+        let context = Context {
+            environment,
+            state: after,
+            objects: objects.as_slice(),
+            later_objects: &[],
+            members: self.skill.description().members,
+        };
+        self.skill.binding().instance(&context, instance)?;
+        self.runs.note(terms, instance);
+        Ok(())
+    }
 }

@@ -28,6 +28,8 @@ pub(super) struct RestrictedTask<'t, 'o, E> {
     atoms: Atoms,
     operators: &'o [GroundOperator],
     candidate: Candidate,
+    /// Controllers that may be run on the way.
+    pub(super) way: u32,
 }
 
 impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
@@ -56,6 +58,7 @@ impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
             atoms,
             operators,
             candidate,
+            way: Config::default().max_samples,
         })
     }
 
@@ -119,7 +122,10 @@ impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
                 world: &mut self.world(),
                 sampler: &mut RegionSampler::from_library(self.environment, self.known.0),
                 guide: &mut RegionGuide::from_known(self.environment, self.known, self.initial),
-                config: Config::default(),
+                config: Config {
+                    max_samples: self.way,
+                    ..Config::default()
+                },
             };
             let task = AbstractTask {
                 operators: self.operators,

@@ -6,7 +6,7 @@
 //! | 2 | version, little endian, as all numbers |
 //! | 4 | fingerprint of what is learned from |
 //! | 2 | skills that were learned |
-//! | | for each: what it took, and its region as text |
+//! | | for each: what it took, its region as text, and its effects |
 //! | 2 | controllers, and for each what it changes |
 //! | | the journal of the skill that is being learned |
 //! | 4 | CRC-32 of all before |
@@ -17,11 +17,12 @@ use crate::error::Error;
 use crate::learn::version_space::{Certificate, Quality, Report, Why};
 use crate::region::Region;
 use crate::skill::changes::Changes;
+use crate::skill::effects::Effects;
 use crate::skill::skills::{Skill, Skills};
 use crate::wire::{Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRSK";
-const VERSION: u16 = 1;
+const VERSION: u16 = 2;
 const WHAT: &str = "bytes for saved skills";
 
 /// What was learned so far, to be saved or to go on from.
@@ -67,6 +68,7 @@ impl Course<'_, '_, '_> {
                 // The writer takes everything, and counts what finds no room.
                 let _ = region.write(skill.domain(), writer);
             }
+            skill.effects().write(writer);
         }
         let changes = self.skills.all_changes();
         writer.u16(changes.len() as u16);
@@ -95,6 +97,7 @@ impl Course<'_, '_, '_> {
         for index in 0..self.learned.len() {
             if let Some(skill) = self.skills.get_mut(index) {
                 skill.set_region(None);
+                skill.set_effects(Effects::default());
             }
         }
         self.skills.all_changes_mut().fill(Changes::default());
@@ -122,6 +125,7 @@ impl Course<'_, '_, '_> {
             if length > 0 {
                 restore(skill, text)?;
             }
+            skill.set_effects(Effects::read(&mut reader)?);
         }
         let changes = self.skills.all_changes_mut();
         if usize::from(reader.u16()?) != changes.len() {

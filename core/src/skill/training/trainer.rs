@@ -13,6 +13,7 @@ use crate::learn::version_space::Why;
 use crate::learn::{Capacity, Config, Learner, Outcome, Problem, VersionSpace, learn_region};
 use crate::random::{Generator, generator};
 use crate::region::Region;
+use crate::skill::effects::Runs;
 use crate::skill::setting::Practice;
 use crate::skill::skills::{Known, Library, Skill, Skills};
 use crate::skill::tuning::ROUNDS;
@@ -90,6 +91,10 @@ impl<'t, 'm, E: Practice> Trainer<'t, 'm, E> {
         };
         let mut learned = self.collect(&lesson, self.criteria(skill))?;
         let mut oracle = Oracle::from_known(self.environment, (library, changes));
+        let mut seen = Runs::default();
+        if skill.description().later.is_none() {
+            oracle.watch(skill, &mut seen);
+        }
         let mut rng = generator(self.training.learner.seed ^ index as u64);
         if !skill.has_parameters() {
             let found = self.memory.situations.get_mut(..learned.situations);
@@ -107,7 +112,10 @@ impl<'t, 'm, E: Practice> Trainer<'t, 'm, E> {
         let region = self.fit(skill, &mut learned, config, &mut oracle, &mut rng)?;
         learned.runs += oracle.runs();
         learned.region = region.is_some();
-        skills.get_mut(index).ok_or(NO_SKILL)?.set_region(region);
+        let effects = seen.effects(skill.domain());
+        let skill = skills.get_mut(index).ok_or(NO_SKILL)?;
+        skill.set_region(region);
+        skill.set_effects(effects);
         Ok(learned)
     }
 
@@ -228,7 +236,9 @@ impl<'t, 'm, E: Practice> Trainer<'t, 'm, E> {
                     break;
                 };
                 let operators = &mut *memory.operators;
-                let task = RestrictedTask::new(environment, *known, task, *candidate, operators)?;
+                let mut task =
+                    RestrictedTask::new(environment, *known, task, *candidate, operators)?;
+                task.way = self.training.way;
                 let (seed, planner) = ((round << 16 | index) << 32, memory.planner.reborrow());
                 let (situation, more) = task.realise(skill.description(), seed, planner)?;
                 runs += more;

@@ -11,7 +11,7 @@ to describe an action.
 """
 
 from . import _library
-from ._structs import NO_REASON, Metrics, Report
+from ._structs import NO_REASON, Metrics, Report, SkillReport, Training
 from .domain import Domain
 from .generator import Generator
 from .learner import (
@@ -26,16 +26,7 @@ from .learner import (
     Question,
     Why,
 )
-from .planner import (
-    Advice,
-    Draw,
-    Drawn,
-    Ground,
-    Heuristic,
-    Planner,
-    PlannerOptions,
-    Step,
-)
+from .planner import Heuristic, Planner, PlannerOptions, Step
 from .region import (
     Constraint,
     Evidence,
@@ -48,7 +39,9 @@ from .region import (
     are_empty,
     sample,
 )
+from .skills import Skill, Skills, SkillsOptions
 from .status import EmptyRegion, Error, NoPlan, NoRegion, NoSample, Status
+from .world import Advice, Draw, Drawn, Ground
 
 __version__: str = _library.library.critreg_version().decode()
 
@@ -86,8 +79,13 @@ __all__ = [
     "Region",
     "Report",
     "Rng",
+    "Skill",
+    "SkillReport",
+    "Skills",
+    "SkillsOptions",
     "Status",
     "Step",
+    "Training",
     "Verdict",
     "Why",
     "are_empty",

@@ -107,6 +107,21 @@ ARGUMENTS: dict[str, list[Any]] = {
     "critreg_planner_why": [_ANY, _ANY, *_BUFFER],
     "critreg_planner_failures": [_ANY, _TEXT, _ANY],
     "critreg_planner_reasons": [_ANY, c_uint32, _ANY],
+    "critreg_planner_reason_text": [_ANY, *_BUFFER],
+    "critreg_skills_config_init": [_ANY, _SIZE],
+    "critreg_skills_size": [_ANY],
+    "critreg_skills_init": [*_MEMORY, _TEXT, _TEXT, _ANY, _ANY],
+    "critreg_skills_add_controller": [_ANY, _TEXT, _TEXT, _TEXT, _ANY, _SIZE],
+    "critreg_skills_add": [_ANY, _TEXT, _TEXT, _TEXT, _TEXT],
+    "critreg_skills_add_task": [_ANY, _TEXT, _ANY, _SIZE],
+    "critreg_skills_message": [_ANY, *_BUFFER],
+    "critreg_skills_learn": [_ANY, _ANY, _ANY],
+    "critreg_skill_report_init": [_ANY, _SIZE],
+    "critreg_skills_report": [_ANY, _SIZE, _ANY],
+    "critreg_skills_format": [_ANY, _SIZE, *_BUFFER],
+    "critreg_skills_domain": [_ANY, _SIZE, *_BUFFER],
+    "critreg_skills_save": [_ANY, *_BUFFER],
+    "critreg_skills_resume": [_ANY, _ANY, _SIZE],
 }
 
 # Of those that return no status.
@@ -118,6 +133,7 @@ RESULTS: dict[str, Any] = {
     "critreg_learner_size": _SIZE,
     "critreg_region_size": _SIZE,
     "critreg_planner_size": _SIZE,
+    "critreg_skills_size": _SIZE,
     "critreg_rng_seed": RngStruct,
 }
 
@@ -132,6 +148,7 @@ ADVISE = ctypes.CFUNCTYPE(
     _STATUS, _ANY, _GROUND, _SIZE, _NUMBERS, _SIZE, POINTER(c_int32), POINTER(c_uint32)
 )
 MAKE = ctypes.CFUNCTYPE(_STATUS, _ANY, _SIZE, _NUMBERS)
+TRAINING = ctypes.CFUNCTYPE(_STATUS, _ANY, _ANY)
 SIMULATE = ctypes.CFUNCTYPE(_STATUS, _ANY, _NUMBERS, _NUMBERS, POINTER(c_int32))
 
 

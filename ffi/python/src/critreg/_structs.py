@@ -164,7 +164,7 @@ class PlannerConfig(ctypes.Structure):
     atoms: uint32
     facts: uint32
     skeletons_per_state: uint32
-    reserved: uint32
+    lookahead: uint32
 
 
 @_laid_out
@@ -248,3 +248,58 @@ class Metrics(_Shown):
     most_failed: text
     main_reason: uint32
     repeated: uint32
+
+
+@_laid_out
+class Training(_Shown):
+    """How learning of skills goes: critreg_training."""
+
+    struct_size: uint32
+    skill: uint32
+    skills: uint32
+    runs: uint32
+
+
+@_laid_out
+class SkillsConfig(ctypes.Structure):
+    """critreg_skills_config."""
+
+    struct_size: uint32
+    state_len: uint32
+    learner: pointer
+    chained: uint32
+    budget: uint32
+    situations: uint32
+    states: uint32
+    situation_tasks: uint32
+    tasks: uint32
+    controllers: uint32
+    skills: uint32
+    texts: uint32
+    nodes: uint32
+    facts: uint32
+    runs: uint32
+    way: uint32
+    progress: pointer
+    progress_data: pointer
+
+
+@_laid_out
+class SkillReport(_Shown):
+    """What it took to learn a skill: critreg_skill_report."""
+
+    struct_size: uint32
+    finished: uint32
+    has_region: uint32
+    quality: uint32
+    why: uint32
+    tasks: uint32
+    situations: uint32
+    runs: uint32
+    calls: uint32
+    feasible: uint32
+    infeasible: uint32
+    certificate_draws: uint32
+    certificate_feasible: uint32
+    reserved: uint32
+    certificate_lower_bound: double

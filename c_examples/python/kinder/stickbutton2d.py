@@ -1,0 +1,66 @@
+"""What can be said of the controllers of StickButton2D: a robot, a stick, buttons on and off a table."""
+
+ENVIRONMENT = "kinder/StickButton2D-b{}-v0"
+COUNTED = "num_buttons"
+VARIANTS = [1, 2, 3, 5]
+TRAINING = [2]
+LEARNING = {"learner": {"calls": 100}, "situations": 20, "states": 80, "way": 4}
+
+WORLD = """
+constant room.width     = 3.5:  length
+constant room.height    = 2.5:  length
+constant table.y        = 1.25: length
+constant robot.radius   = 0.1:  length
+constant stick.width    = 0.05: length
+constant stick.height   = 1.25: length
+object crv_robot { x: length, y: length }
+object rectangle { x: length, y: length }      # the stick
+point room  = world + (0, 0)
+point table = world + (0, table.y)
+shape room      = rectangle(room.width, room.height)
+shape table     = rectangle(room.width, table.y)
+shape crv_robot = circle(robot.radius)
+shape rectangle = rectangle(stick.width, stick.height)
+"""
+PRESS = WORLD + """
+constant button.radius = 0.05: length
+object circle { x: length, y: length }         # the button
+point there = world + (circle.x, circle.y)     # where the robot drives
+shape there = circle(robot.radius)
+"""
+PICK = WORLD + """
+constant gripper.width  = 0.01: length
+constant gripper.height = 0.07: length
+constant line           = stick.width + 2 * gripper.height: length   # of all grasps
+"""
+LEFT = PICK + """
+parameter ratio in [0, 0.36842]
+parameter arm   in [0.1, 0.2]: length
+point base = rectangle + (-arm - gripper.width, gripper.height - ratio * line)
+shape base = circle(robot.radius)
+"""
+BOTTOM = PICK + """
+parameter ratio in [0.36843, 0.63157]
+parameter arm   in [0.1, 0.2]: length
+point base = rectangle + (ratio * line - gripper.height, -arm - gripper.width)
+shape base = circle(robot.radius)
+"""
+RIGHT = PICK + """
+parameter ratio in [0.63158, 1]
+parameter arm   in [0.1, 0.2]: length
+point base = rectangle + (stick.width + arm + gripper.width, ratio * line - gripper.height - stick.width)
+shape base = circle(robot.radius)
+"""
+STICK_PRESS = WORLD + """
+object circle { x: length, y: length }         # the button
+# Robot and stick move so that the far corner of the stick comes to the button.
+point there = crv_robot + (circle.x - rectangle.x - stick.width, circle.y - rectangle.y - stick.height)
+point held  = world + (circle.x - stick.width, circle.y - stick.height)
+shape there = circle(robot.radius)
+shape held  = rectangle(stick.width, stick.height)
+"""
+TEXTS = {
+    "RobotPressButtonController": PRESS,
+    "PickStickController": {"left": LEFT, "bottom": BOTTOM, "right": RIGHT},
+    "StickPressButtonController": STICK_PRESS,
+}

@@ -1,0 +1,160 @@
+"""Worlds of the framework bilevel_planning: a cart that drives onto a mark of some width."""
+
+import dataclasses
+import random
+import types
+import unittest
+from typing import Any
+
+try:
+    from critreg.bilevel import World
+except ImportError:  # Without NumPy, which the framework needs.
+    World = None
+
+
+@dataclasses.dataclass(frozen=True, order=True)
+class Type:
+    name: str
+    parent: Any = None
+
+
+@dataclasses.dataclass(frozen=True, order=True)
+class Thing:
+    name: str
+    type: Type
+
+
+@dataclasses.dataclass(frozen=True)
+class Predicate:
+    name: str
+    types: tuple
+
+
+@dataclasses.dataclass(frozen=True)
+class Atom:
+    predicate: Predicate
+    entities: tuple
+
+
+class State(dict):
+    def get(self, thing, name):
+        return self[thing][name]
+
+
+CART, MARK = Type("cart"), Type("mark")
+ON = Predicate("On", (CART, MARK))
+cart, mark = Thing("cart", CART), Thing("mark", MARK)
+
+
+class DriveController:
+    def __init__(self, objects):
+        self.objects = objects
+
+    def sample_parameters(self, state, rng):
+        return (rng.uniform(-1, 1), 7.0)
+
+    def reset(self, state, parameters):
+        assert isinstance(parameters, tuple) and parameters[1] == 7.0
+        self.left = [parameters[0] / 2] * 2
+
+    def terminated(self):
+        return not self.left
+
+    def step(self):
+        return self.left.pop()
+
+    def observe(self, state):
+        pass
+
+
+def moved(state, by):
+    after = State({thing: dict(values) for thing, values in state.items()})
+    after[cart]["x"] += by
+    return after
+
+
+def abstract(state):
+    near = abs(state[cart]["x"] - state[mark]["x"]) <= 0.5 * state[mark]["width"]
+    atoms = {Atom(ON, (cart, mark))} if near else set()
+    return types.SimpleNamespace(atoms=atoms, objects={cart, mark})
+
+
+def task(seed):
+    chance = random.Random(seed)
+    return State(
+        {
+            cart: {"x": chance.uniform(-0.5, 0.5)},
+            mark: {"x": chance.uniform(-0.5, 0.5), "width": chance.uniform(0.05, 0.2)},
+        }
+    )
+
+
+def models():
+    variables = Thing("?cart", CART), Thing("?mark", MARK)
+    drive = types.SimpleNamespace(
+        name="Drive",
+        parameters=variables,
+        preconditions=set(),
+        add_effects={Atom(ON, variables)},
+        delete_effects=set(),
+    )
+    controller = types.SimpleNamespace(controller_cls=DriveController, ground=DriveController)
+    return types.SimpleNamespace(
+        types={CART, MARK},
+        predicates={ON},
+        skills=[types.SimpleNamespace(operator=drive, controller=controller)],
+        transition_fn=moved,
+        state_abstractor=abstract,
+        goal_deriver=lambda state: types.SimpleNamespace(atoms={Atom(ON, (cart, mark))}),
+    )
+
+
+TEXT = """
+object cart { x: length }
+object mark { x: length, width: length }
+parameter by in [LOW, HIGH]: length
+point there = world + (cart.x + by, 0)
+"""
+WHOLE = TEXT.replace("LOW", "-1").replace("HIGH", "1")
+CASES = {
+    "back": TEXT.replace("LOW", "-1").replace("HIGH", "0"),
+    "forth": TEXT.replace("LOW", "0").replace("HIGH", "1"),
+}
+
+
+@unittest.skipIf(World is None, "the framework needs NumPy")
+class Worlds(unittest.TestCase):
+    def solve(self, text):
+        world = World(models(), {"DriveController": text})
+        tasks = [task(seed) for seed in range(40)]
+        skills = world.learn(tasks, learner={"calls": 100})
+        samples = 0
+        for seed in range(100, 120):
+            state = task(seed)
+            planner = world.planner(state, lookahead=8)
+            plan = world.plan(state, skills, seed, planner)
+            self.assertTrue(abstract(plan.states[-1]).atoms)
+            self.assertEqual((len(plan.states), len(plan.actions)), (3, 2))
+            samples += planner.metrics().samples
+        return skills, samples
+
+    def test_skills_are_learned_and_planned_with(self):
+        skills, samples = self.solve(WHOLE)
+        self.assertIsNotNone(skills[0].region, skills[0].text)
+        self.assertLessEqual(samples, 22)
+
+    def test_a_case_is_an_operator(self):
+        skills, samples = self.solve(CASES)
+        names = [skill.name for skill in skills]
+        self.assertEqual(names, ["DriveController-back", "DriveController-forth"])
+        self.assertLessEqual(samples, 24)
+
+    def test_wrong_names_are_told(self):
+        with self.assertRaisesRegex(ValueError, "no controller Fly, but DriveController"):
+            World(models(), {"Fly": WHOLE})
+        with self.assertRaisesRegex(ValueError, "object cat: there is no type cat"):
+            World(models(), {"DriveController": "object cat { x: length }"})
+
+
+if __name__ == "__main__":
+    unittest.main()
