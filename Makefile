@@ -4,6 +4,7 @@
 #   make install       copies them, the headers, files for pkg-config, CMake and ROS 2, and
 #                      the licences below PREFIX; needs neither Rust nor a compiler
 #   make uninstall     removes what make install copied
+#   make doc           a site of the C and C++ interface, in target/doxygen/html; needs Doxygen
 #
 #   PREFIX, LIBDIR, INCLUDEDIR   where to; /usr/local, and lib and include in it
 #   DESTDIR                      a root in front of all of them, for packagers
@@ -107,5 +108,9 @@ uninstall:
 		rmdir $(DESTDIR)$$own 2>/dev/null || true; \
 	done
 
-.PHONY: library install uninstall
+doc:
+	@mkdir -p target/doxygen
+	doxygen include/Doxyfile
+
+.PHONY: library install uninstall doc
 .DELETE_ON_ERROR:

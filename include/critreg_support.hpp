@@ -216,7 +216,7 @@ using Bytes = Span<const std::uint8_t>;
 
 /**
  * A generator of random numbers, the same on every machine; copies go on with the same
- * numbers. It is a UniformRandomBitGenerator, for the distributions of <random>.
+ * numbers. It is a UniformRandomBitGenerator, for the distributions of the standard library.
  */
 class Rng {
 public:
