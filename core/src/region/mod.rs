@@ -6,6 +6,7 @@
 //! because there every side of a constraint is piecewise linear or the root of a
 //! quadratic function. With one parameter this line is everything. Sampling is uniform,
 //! see [`Grounded::sample`]. An [`Intersection`] is what several regions admit at once.
+//! [`Region::implies`] is about all instances at once: a proof, or a counterexample.
 
 mod boxes;
 mod bytes;

@@ -94,7 +94,11 @@ impl<P: Program> Places<'_, P> {
                 let half = along(axis, b.halves.into_iter())?;
                 let half = half.unwrap_or(Value::ZERO);
                 let half = self.code.plus(half, b.radius.unwrap_or(Value::ZERO))?;
-                self.slab([&a, &b], index_of(axis), half, d, count)
+                match index_of(axis) {
+                    // In the plane nothing counts along it.
+                    index if index >= count => self.without_radii(half, [&a]),
+                    index => self.slab([&a, &b], index, half, d),
+                }
             }
             Relation::Over => {
                 let point = Standing {
@@ -166,7 +170,11 @@ impl<P: Program> Places<'_, P> {
         Ok(size)
     }
 
-    fn without_radii(&mut self, distance: Value, bodies: [&Standing; 2]) -> Result<Value, Error> {
+    fn without_radii<const N: usize>(
+        &mut self,
+        distance: Value,
+        bodies: [&Standing; N],
+    ) -> Result<Value, Error> {
         let mut left = distance;
         for radius in bodies.into_iter().filter_map(|body| body.radius) {
             left = self.code.minus(left, radius)?;
@@ -187,7 +195,7 @@ impl<P: Program> Places<'_, P> {
             self.local(b, d, count)?;
             for (index, half) in b.halves.into_iter().enumerate().take(count) {
                 let Some(half) = half else { continue };
-                let own = self.slab([a, b], index, half, d, count)?;
+                let own = self.slab([a, b], index, half, d)?;
                 room = Some(match room {
                     Some(room) => self.lesser(room, own)?,
                     None => own,
@@ -208,7 +216,6 @@ impl<P: Program> Places<'_, P> {
         index: usize,
         half: Value,
         d: [Value; 3],
-        count: usize,
     ) -> Result<Value, Error> {
         let direction = nth(b.axes, index);
         let turned = self.turned(a.yaw, b.yaw)?;
@@ -226,11 +233,7 @@ impl<P: Program> Places<'_, P> {
         if let Some(radius) = a.radius {
             room = self.code.minus(room, radius)?;
         }
-        let mut counted = direction;
-        for own in counted.iter_mut().skip(count) {
-            *own = Value::ZERO;
-        }
-        let offset = dot(&mut self.code, d, counted)?;
+        let offset = dot(&mut self.code, d, direction)?;
         let offset = self.magnitude(offset)?;
         self.code.minus(room, offset)
     }
@@ -238,10 +241,14 @@ impl<P: Program> Places<'_, P> {
     /// A vector in the frame of a body.
     fn local(&mut self, body: &Standing, d: [Value; 3], count: usize) -> Result<[Value; 3], Error> {
         let mut local = [Value::ZERO; 3];
-        for (own, axis) in local.iter_mut().zip(body.axes).take(count) {
+        for (own, axis) in local.iter_mut().zip(body.axes) {
             *own = dot(&mut self.code, d, axis)?;
         }
+        // All three of them are as long as the vector.
         self.code.note_turned(d, local, body.axes)?;
+        for own in local.iter_mut().skip(count) {
+            *own = Value::ZERO;
+        }
         Ok(local)
     }
 
@@ -326,7 +333,7 @@ impl<P: Program> Places<'_, P> {
 
 /// Whether bodies lie in the plane.
 fn dimensions(domain: &Domain<'_>) -> Dimensions {
-    match domain.axes() < 3 {
+    match domain.bodies().is_empty() || domain.axes() < 3 {
         true => Dimensions::Plane,
         false => Dimensions::Space,
     }
