@@ -58,7 +58,7 @@
  * bits, in a library without CRITREG_ALGORITHM1. The macros of
  * CRITREG_LEARNER_WORDS() are for static arrays; they are enough for either learner.
  *
- * A planner with the default capacities takes 301760 bytes, and 264 more for every
+ * A planner with the default capacities takes 301768 bytes, and 264 more for every
  * number of a state. Most of it are 4096 nodes of the search, 42 bytes each.
  *
  *
