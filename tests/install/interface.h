@@ -63,6 +63,8 @@
 #define CRITREG_HAS_ALGORITHM1 (1 << 3)
 #define CRITREG_HAS_MANY_OBSERVATIONS (1 << 4)
 #define CRITREG_HAS_BODIES (1 << 5)
+#define CRITREG_HAS_LEARNER (1 << 6)
+#define CRITREG_HAS_PLANNER (1 << 7)
 #define CRITREG_DOMAIN_TEXT_MAX 2048
 #define CRITREG_LEARNER_FIXED_BYTES 22700
 #define CRITREG_REGION_FIXED_BYTES 12544
@@ -100,7 +102,7 @@
 #define CRITREG_WHY_TOO_FEW 5
 #define CRITREG_WHY_CONTRADICTION 6
 #define CRITREG_WHY_UNEXPLAINED 7
-#define CRITREG_WHY_MAX 256
+#define CRITREG_WHY_MAX 384
 #define CRITREG_NOT_RUN UINT64_MAX
 #define CRITREG_ALGORITHM1 1
 #define CRITREG_VERSION_SPACE 2
@@ -113,6 +115,9 @@
 #define CRITREG_MAX_STEPS 4
 #define CRITREG_MAX_OBSERVATIONS 2048
 #define CRITREG_MAX_REGIONS 32
+#define CRITREG_UNDECIDED 0
+#define CRITREG_PROVEN 1
+#define CRITREG_REFUTED 2
 #define CRITREG_LM_CUT 1
 #define CRITREG_H_MAX 2
 #define CRITREG_H_ADD 3
@@ -208,6 +213,9 @@ typedef struct critreg_config {
     double precision_wanted;
     uint32_t questions;
 } critreg_config;
+typedef critreg_status (*critreg_make_instance)(void *user_data,
+                                                size_t number,
+                                                double *instance);
 typedef int32_t critreg_outcome;
 typedef critreg_status (*critreg_simulate)(void *user_data,
                                            const double *instance,
@@ -224,6 +232,16 @@ typedef struct critreg_constraint {
 typedef struct critreg_rng {
     uint64_t state[2];
 } critreg_rng;
+typedef struct critreg_proof {
+    uint32_t struct_size;
+    uint32_t max_boxes;
+    double tolerance;
+    uint32_t verdict;
+    uint32_t too_fine;
+    uint32_t statement;
+    uint32_t boxes;
+    double open;
+} critreg_proof;
 typedef struct critreg_planner_config {
     uint32_t struct_size;
     uint32_t heuristic;
@@ -240,7 +258,7 @@ typedef struct critreg_planner_config {
     uint32_t atoms;
     uint32_t facts;
     uint32_t skeletons_per_state;
-    uint32_t reserved;
+    uint32_t lookahead;
 } critreg_planner_config;
 typedef struct critreg_ground {
     const char *name;
@@ -349,7 +367,7 @@ typedef struct critreg_skills_config {
     uint32_t nodes;
     uint32_t facts;
     uint32_t runs;
-    uint32_t reserved;
+    uint32_t way;
     critreg_training_progress progress;
     void *progress_data;
 } critreg_skills_config;
@@ -408,6 +426,10 @@ critreg_status critreg_region_quality(const struct critreg_region *region,
                                       uint32_t *quality);
 critreg_status critreg_report_init(struct critreg_report *report, size_t size);
 critreg_status critreg_config_init(struct critreg_config *config, size_t size);
+critreg_status critreg_check_config(const struct critreg_config *config,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
 size_t critreg_learner_size(const struct critreg_config *config);
 size_t critreg_learner_align(void);
 critreg_status critreg_learner_init(void *memory,
@@ -419,6 +441,13 @@ critreg_status critreg_learner_instance_len(const struct critreg_learner *learne
                                             size_t *len);
 critreg_status critreg_learner_parameter_count(const struct critreg_learner *learner,
                                                size_t *count);
+critreg_status critreg_choose_instances(struct critreg_learner *learner,
+                                        size_t offered,
+                                        critreg_make_instance make,
+                                        void *user_data,
+                                        double *instances,
+                                        size_t room,
+                                        size_t *count);
 critreg_status critreg_learn_region(struct critreg_learner *learner,
                                     const double *instances,
                                     size_t count,
@@ -480,6 +509,13 @@ critreg_status critreg_learner_message(const struct critreg_learner *learner,
                                        char *text,
                                        size_t len,
                                        size_t *needed);
+critreg_status critreg_learner_to_svg(struct critreg_learner *learner,
+                                      const double *instances,
+                                      size_t count,
+                                      size_t index,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
 critreg_status critreg_learner_save(struct critreg_learner *learner,
                                     const double *instances,
                                     size_t count,
@@ -516,6 +552,15 @@ critreg_status critreg_region_load(void *memory,
                                    const uint8_t *bytes,
                                    size_t len,
                                    struct critreg_region **region);
+critreg_status critreg_check_domain(const char *domain,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
+critreg_status critreg_check_region(const char *domain,
+                                    const char *region_text,
+                                    char *text,
+                                    size_t len,
+                                    size_t *needed);
 critreg_status critreg_region_save(const struct critreg_region *region,
                                    uint8_t *bytes,
                                    size_t len,
@@ -586,15 +631,56 @@ critreg_status critreg_region_margins(const struct critreg_region *region,
                                       const double *theta,
                                       double *values,
                                       double *gradients);
+critreg_status critreg_proof_init(struct critreg_proof *proof, size_t size);
+critreg_status critreg_region_implies(const struct critreg_region *region,
+                                      const struct critreg_region *specification,
+                                      const double *ranges,
+                                      struct critreg_proof *proof,
+                                      double *instance,
+                                      double *theta);
+critreg_status critreg_region_question_count(const struct critreg_region *specification,
+                                             size_t *count);
+critreg_status critreg_region_to_smt2(const struct critreg_region *region,
+                                      const struct critreg_region *specification,
+                                      const double *ranges,
+                                      const struct critreg_proof *proof,
+                                      size_t number,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+critreg_status critreg_learner_challenge(struct critreg_learner *learner,
+                                         const struct critreg_region *specification,
+                                         const double *ranges,
+                                         struct critreg_proof *proof,
+                                         double *instance,
+                                         double *theta);
 critreg_status critreg_region_to_c(const struct critreg_region *region,
                                    const char *name,
                                    char *text,
                                    size_t len,
                                    size_t *needed);
+critreg_status critreg_region_to_rust(const struct critreg_region *region,
+                                      uint32_t precision,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+critreg_status critreg_region_to_svg(const struct critreg_region *region,
+                                     const double *instance,
+                                     char *text,
+                                     size_t len,
+                                     size_t *needed);
 struct critreg_rng critreg_rng_seed(uint64_t seed);
 critreg_status critreg_rng_uniform(struct critreg_rng *rng, double *number);
 critreg_status critreg_planner_config_init(struct critreg_planner_config *config,
                                            size_t size);
+critreg_status critreg_check_pddl(const char *domain,
+                                  const char *problem,
+                                  char *text,
+                                  size_t len,
+                                  size_t *needed);
+critreg_status critreg_planner_measure(const char *domain,
+                                       const char *problem,
+                                       struct critreg_planner_config *config);
 size_t critreg_planner_size(const struct critreg_planner_config *config);
 size_t critreg_planner_align(void);
 critreg_status critreg_planner_init(void *memory,
@@ -697,27 +783,6 @@ critreg_status critreg_skills_save(struct critreg_skills *skills,
 critreg_status critreg_skills_resume(struct critreg_skills *skills,
                                      const uint8_t *bytes,
                                      size_t len);
-critreg_status critreg_check_domain(const char *domain,
-                                    char *text,
-                                    size_t len,
-                                    size_t *needed);
-critreg_status critreg_check_config(const struct critreg_config *config,
-                                    char *text,
-                                    size_t len,
-                                    size_t *needed);
-critreg_status critreg_check_region(const char *domain,
-                                    const char *region_text,
-                                    char *text,
-                                    size_t len,
-                                    size_t *needed);
-critreg_status critreg_check_pddl(const char *domain,
-                                  const char *problem,
-                                  char *text,
-                                  size_t len,
-                                  size_t *needed);
-critreg_status critreg_planner_measure(const char *domain,
-                                       const char *problem,
-                                       struct critreg_planner_config *config);
 const char *critreg_stick_button_domain(void);
 size_t critreg_stick_button_state_len(uint32_t buttons);
 critreg_status critreg_stick_button_task(uint64_t seed,

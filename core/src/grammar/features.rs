@@ -4,7 +4,7 @@ use super::leaves::{Visit, attributes, coordinates, relations};
 use crate::domain::{Dependence, Dimension, Domain, MAX_FEATURES, Node, NodeId, Sample, Scene};
 use crate::error::Error;
 use crate::real::Real;
-use crate::table::Table;
+use crate::table::{Table, gather};
 use core::ops::Range;
 use heapless::Vec;
 
@@ -279,7 +279,7 @@ impl<'m, R: Real> Features<'m, R> {
     fn declared(&self, dimension: Dimension, sampled: bool) -> Vec<Node, MAX_FEATURES> {
         let declared = self.declared.iter();
         let own = declared.filter(|own| own.dimension == dimension && own.sampled == sampled);
-        own.map(|own| own.node).collect()
+        gather(own.map(|own| own.node))
     }
 
     fn enumerate_lhs(&mut self, domain: &Domain<'_>) {
@@ -288,7 +288,7 @@ impl<'m, R: Real> Features<'m, R> {
             for dimension in Dimension::ALL {
                 let declared = self.declared(dimension, !domain.parameters().is_empty());
                 let block = self.append(room, |visit| {
-                    each_lhs(domain, declared, complexity, dimension, visit);
+                    each_lhs(domain, &declared, complexity, dimension, visit);
                 });
                 set_block(&mut self.lhs, complexity, dimension, block);
             }
@@ -305,7 +305,7 @@ impl<'m, R: Real> Features<'m, R> {
     ) -> Option<Node> {
         let declared = self.declared(dimension, !domain.parameters().is_empty());
         let (mut place, mut found) = (0, None);
-        each_lhs(domain, declared, complexity, dimension, &mut |node| {
+        each_lhs(domain, &declared, complexity, dimension, &mut |node| {
             if place == others {
                 found = Some(node);
             }
@@ -335,7 +335,7 @@ impl<'m, R: Real> Features<'m, R> {
     fn leaves(&mut self, domain: &Domain<'_>, dimension: Dimension) -> Block {
         let declared = self.declared(dimension, false);
         self.append(usize::MAX, |visit| {
-            declared.into_iter().for_each(&mut *visit);
+            declared.iter().copied().for_each(&mut *visit);
             for (index, constant) in (0u8..).zip(domain.constants()) {
                 if constant.dimension == dimension {
                     visit(Node::Constant(index));
@@ -468,14 +468,14 @@ fn evaluate<R: Real>(nodes: &[Node], scene: &Scene<'_, R>, theta: &[R], values: 
 /// Visits the left sides of a complexity and dimension, of which some are declared.
 fn each_lhs(
     domain: &Domain<'_>,
-    declared: Vec<Node, MAX_FEATURES>,
+    declared: &[Node],
     complexity: usize,
     dimension: Dimension,
     visit: Visit<'_>,
 ) {
     let sampled = !domain.parameters().is_empty();
     if complexity == 1 {
-        declared.into_iter().for_each(&mut *visit);
+        declared.iter().copied().for_each(&mut *visit);
     }
     if domain.compares() {
         return;
