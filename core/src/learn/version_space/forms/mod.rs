@@ -10,6 +10,7 @@
 //! is done per form is one subtraction and two comparisons, in long runs over
 //! neighbouring right sides.
 
+mod columns;
 mod compare;
 mod exclusions;
 mod interval;
@@ -23,11 +24,11 @@ mod sums;
 mod update;
 mod values;
 
+pub(super) use columns::Effort;
 pub use interval::Interval;
 pub(super) use layout::DirectedForm;
 pub use left::{Left, LeftOut};
 pub(super) use sample_set::{MAX_WORDS, SampleSet};
-pub(super) use search::Effort;
 pub use search::{End, Failure};
 pub(super) use step::StepView;
 pub(super) use sums::SUM_LEVEL;

@@ -1,0 +1,307 @@
+//! Right sides that are sums: which there are, and what it takes to name them.
+
+use super::left::{Left, Tier};
+use super::sums::{TERMS, Term};
+use super::{Forms, NOTHING};
+use crate::domain::{Dimension, Domain, Node, NodeId, Quantity};
+use crate::grammar::Kind;
+use crate::real::Real;
+use heapless::Vec;
+
+/// Most columns that terms are made of.
+const MAX_COLUMNS: usize = 24;
+/// Most places that a right side begins with.
+const MAX_BASES: usize = 12;
+
+/// How far the search goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(in super::super) enum Effort {
+    /// Two terms with simple factors.
+    Simple,
+    /// Two terms with all factors of the grammar, or one with any factor in hundredths.
+    Thorough,
+}
+
+/// A factor in hundredths, and what it takes to name it, in bits.
+const FACTORS: [(i16, f32); 7] = [
+    (100, 1.0),
+    (50, 2.0),
+    (200, 3.5),
+    (25, 4.0),
+    (75, 4.0),
+    (150, 4.0),
+    (125, 4.5),
+];
+/// How many of them are simple.
+const SIMPLE: usize = 2;
+/// The same for any other factor: a multiple of one twentieth, or of one hundredth.
+const TWENTIETHS: f32 = 7.5;
+const HUNDREDTHS: f32 = 9.6;
+/// The greatest factor, in hundredths.
+const MOST: i16 = 200;
+
+/// The fewest bits that a term takes: one column with a factor of one.
+const SHORTEST_TERM: f32 = 3.0;
+
+/// A right side that terms are made of.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    place: u16,
+    kind: Kind,
+    /// Whether it is a distance or the like, and not an attribute.
+    relation: bool,
+    /// What a place belongs to.
+    owner: Option<Owner>,
+}
+
+/// What a coordinate belongs to: an object, by its first number in an instance, or a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Owner {
+    Object(u8),
+    Point(u8),
+}
+
+/// The columns of a problem by what they are.
+pub(super) struct Columns {
+    sizes: Vec<Column, MAX_COLUMNS>,
+    places: Vec<Column, MAX_BASES>,
+}
+
+/// Takes a right side and its length in bits. Returns how long one may be to be looked at.
+pub(super) type Visit<'v> = &'v mut dyn FnMut([Term; TERMS], f32) -> f32;
+
+impl<R: Real> Forms<'_, R> {
+    /// The columns that right sides are made of, attributes first.
+    pub(super) fn columns(&self, domain: &Domain<'_>) -> Columns {
+        let (mut sizes, mut places) = (Vec::new(), Vec::new());
+        let features = self.rhs_features.as_slice();
+        let nodes = self.features.nodes();
+        for relation in [false, true] {
+            for (place, feature) in (0u16..).zip(features) {
+                let node = nodes.get(usize::from(*feature));
+                let Some(node) = node.filter(|_| *feature != NOTHING) else {
+                    continue;
+                };
+                let column = Column {
+                    place,
+                    kind: Kind::of(domain, nodes, NodeId(*feature)),
+                    relation,
+                    owner: owner(domain, node),
+                };
+                if matches!(node, Node::Product(..)) || is_relation(node) != relation {
+                    continue;
+                }
+                // What finds no room is a distance, or one of very many attributes.
+                let _ = match column.kind {
+                    Kind::Place(_) => places.push(column).is_ok(),
+                    Kind::Size(_) => sizes.push(column).is_ok(),
+                    Kind::Diagonal(_) | Kind::Free | Kind::Heading | Kind::Other => true,
+                };
+            }
+        }
+        Columns { sizes, places }
+    }
+}
+
+/// Whether a feature is a distance, an angle or the like, and not an attribute.
+fn is_relation(node: &Node) -> bool {
+    !matches!(
+        node,
+        Node::Quantity(Quantity::Attribute(_) | Quantity::Coordinate(..))
+            | Node::Extreme(_, Quantity::Attribute(_))
+    )
+}
+
+/// What a coordinate belongs to; `None` for anything else.
+fn owner(domain: &Domain<'_>, node: &Node) -> Option<Owner> {
+    match *node {
+        Node::Quantity(Quantity::Attribute(slot)) => {
+            let (object, _) = domain.slot(slot)?;
+            Some(Owner::Object(object.first_slot))
+        }
+        Node::Quantity(Quantity::Coordinate(_, point)) => Some(Owner::Point(point)),
+        _ => None,
+    }
+}
+
+impl Columns {
+    /// Visits the right sides of a left side.
+    pub(super) fn for_each_right(&self, left: &Left, effort: Effort, visit: Visit<'_>) {
+        self.for_each_base(left.kind, &mut |base, length| {
+            let sizes = |kind| self.sizes_like(kind);
+            match left.kind {
+                Kind::Size(dimension) => {
+                    sizes(dimension).complete(left, effort, base, length, visit)
+                }
+                Kind::Place(_) | Kind::Diagonal(_) | Kind::Free => {
+                    sizes(Dimension::Length).complete(left, effort, base, length, visit);
+                }
+                // Compared with a threshold alone, as plain left sides are already.
+                Kind::Heading | Kind::Other if left.tier != Tier::Plain => {
+                    let _ = visit([Term::NONE; TERMS], length);
+                }
+                Kind::Heading | Kind::Other => {}
+            }
+        });
+    }
+
+    /// Visits what a right side begins with: nothing, or a place on the same axis; for a
+    /// diagonal, the same diagonal of one object.
+    fn for_each_base(&self, kind: Kind, visit: &mut dyn FnMut([Term; 2], f32)) {
+        let one = |column: &Column, hundredths| Term {
+            column: column.place,
+            hundredths,
+        };
+        visit([Term::NONE; 2], 0.0);
+        let length = 1.0 + libm::log2f(1.0 + self.places.len() as f32);
+        match kind {
+            Kind::Place(_) | Kind::Free => {
+                for place in &self.places {
+                    if kind == Kind::Free || place.kind == kind {
+                        visit([one(place, 100), Term::NONE], length);
+                    }
+                }
+            }
+            Kind::Diagonal(plus) => {
+                let along = |axis| {
+                    self.places
+                        .iter()
+                        .filter(move |p| p.kind == Kind::Place(axis))
+                };
+                let second = if plus { 100 } else { -100 };
+                for x in along(0) {
+                    for y in along(1).filter(|y| y.owner == x.owner) {
+                        visit([one(x, 100), one(y, second)], length);
+                    }
+                }
+            }
+            Kind::Heading | Kind::Size(_) | Kind::Other => {}
+        }
+    }
+
+    fn sizes_like(&self, dimension: Dimension) -> Sizes<'_> {
+        let own = |column: &&Column| column.kind == Kind::Size(dimension);
+        let all = self.sizes.iter().filter(own);
+        let relations = all.clone().filter(|column| column.relation).count();
+        Sizes {
+            columns: &self.sizes,
+            dimension,
+            relations,
+            attributes: all.count() - relations,
+        }
+    }
+}
+
+/// By what a term may be multiplied.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Factors {
+    /// One and a half.
+    Simple,
+    /// Those of the grammar.
+    Grammar,
+    /// Any number of hundredths.
+    Any,
+}
+
+/// The sizes of one dimension.
+struct Sizes<'c> {
+    columns: &'c [Column],
+    dimension: Dimension,
+    attributes: usize,
+    relations: usize,
+}
+
+impl Sizes<'_> {
+    /// Visits what a right side that begins like this may go on with.
+    fn complete(
+        &self,
+        left: &Left,
+        effort: Effort,
+        [base, second]: [Term; 2],
+        length: f32,
+        visit: Visit<'_>,
+    ) {
+        let diagonal = second.is_some();
+        // Without terms, or with a place alone, plain left sides are forms already.
+        let mut longest = f32::INFINITY;
+        if left.tier != Tier::Plain || diagonal {
+            longest = visit([base, second, Term::NONE], length);
+        }
+        let with = |first: Term, rest: Term| match (base.is_some(), diagonal) {
+            (false, _) => [first, rest, Term::NONE],
+            (true, false) => [base, first, rest],
+            (true, true) => [base, second, first],
+        };
+        let any = match effort {
+            Effort::Simple => Factors::Grammar,
+            Effort::Thorough => Factors::Any,
+        };
+        self.for_each_term(any, &mut |_, first, cost| {
+            if length + cost < longest {
+                longest = visit(with(first, Term::NONE), length + cost);
+            }
+        });
+        let (pairs, factors) = match (left.tier, effort) {
+            (Tier::Plain, Effort::Simple) | (Tier::Derived, Effort::Thorough) => {
+                (true, Factors::Simple)
+            }
+            (Tier::Plain, Effort::Thorough) => (true, Factors::Grammar),
+            (Tier::Scene, _) | (Tier::Derived, Effort::Simple) => (false, Factors::Simple),
+        };
+        if diagonal || !pairs {
+            return;
+        }
+        let is_relation = |place: usize| self.columns.get(place).is_some_and(|c| c.relation);
+        self.for_each_term(factors, &mut |index, first, cost| {
+            let length = length + cost;
+            if length + SHORTEST_TERM >= longest {
+                return;
+            }
+            self.for_each_term(factors, &mut |other, rest, more| {
+                // Sums of two distances say little.
+                let says = other > index && !(is_relation(index) && is_relation(other));
+                if says && length + more < longest {
+                    longest = visit(with(first, rest), length + more);
+                }
+            });
+        });
+    }
+
+    /// Visits the terms of all columns with some factors, each with its length.
+    fn for_each_term(&self, factors: Factors, visit: &mut dyn FnMut(usize, Term, f32)) {
+        let columns = self.columns.iter().enumerate();
+        for (index, column) in columns.filter(|(_, c)| c.kind == Kind::Size(self.dimension)) {
+            let count = match column.relation {
+                true => 2 * self.relations,
+                false => self.attributes,
+            };
+            let name = 2.0 + libm::log2f(count as f32);
+            let mut term = |hundredths: i16, bits: f32| {
+                for hundredths in [hundredths, -hundredths] {
+                    let term = Term {
+                        column: column.place,
+                        hundredths,
+                    };
+                    visit(index, term, name + bits);
+                }
+            };
+            let simple = match factors {
+                Factors::Simple => SIMPLE,
+                Factors::Grammar | Factors::Any => FACTORS.len(),
+            };
+            for (hundredths, bits) in FACTORS.iter().take(simple) {
+                term(*hundredths, *bits);
+            }
+            // Of a size any share may count, of a distance hardly.
+            let any = factors == Factors::Any && !column.relation;
+            let fine = (1..=MOST).filter(|h| !FACTORS.iter().any(|(f, _)| f == h));
+            for hundredths in fine.filter(|_| any) {
+                let bits = match hundredths % 5 {
+                    0 => TWENTIETHS,
+                    _ => HUNDREDTHS,
+                };
+                term(hundredths, bits);
+            }
+        }
+    }
+}
