@@ -112,8 +112,8 @@ pub struct Features<'m, R> {
 /// A feature that the text declares.
 #[derive(Clone, Copy, Debug)]
 struct Declared {
-    /// Its operands are in the table.
-    node: Node,
+    /// Where it is in the table.
+    id: NodeId,
     dimension: Dimension,
     sampled: bool,
 }
@@ -242,20 +242,16 @@ impl<'m, R: Real> Features<'m, R> {
         self.first_lhs
     }
 
-    /// Takes the features that the text declares, and keeps what they are made of.
+    /// Takes the features that the text declares, and what they are made of.
     fn declare(&mut self, domain: &Domain<'_>) {
         for feature in domain.features() {
             let (nodes, term) = (domain.nodes(), feature.term);
-            let node = match nodes.get(usize::from(term.0)) {
-                Some(node) => self.with_operands(nodes, *node),
-                None => None,
-            };
             // What has no dimension is compared with plain numbers.
             let dimension = domain.dimension(nodes, term).unwrap_or(Dimension::None);
             let sampled = domain.dependence(nodes, term) == Dependence::Sample;
-            if let Some(node) = node {
+            if let Some(id) = self.copy_term(nodes, term) {
                 let _ = self.declared.push(Declared {
-                    node,
+                    id,
                     dimension,
                     sampled,
                 });
@@ -263,23 +259,21 @@ impl<'m, R: Real> Features<'m, R> {
         }
     }
 
-    /// A term of a list with its operands in the table; `None` if they find no room.
-    fn with_operands(&mut self, nodes: &[Node], node: Node) -> Option<Node> {
-        let Some((a, b, make)) = node.operands() else {
-            return Some(node);
+    /// Puts a term of a list into the table, with its operands; `None` if there is no room.
+    fn copy_term(&mut self, nodes: &[Node], id: NodeId) -> Option<NodeId> {
+        let node = *nodes.get(usize::from(id.0))?;
+        let node = match node.operands() {
+            Some((a, b, make)) => make(self.copy_term(nodes, a)?, self.copy_term(nodes, b)?),
+            None => node,
         };
-        let mut operand = |id: NodeId| {
-            let node = self.with_operands(nodes, *nodes.get(usize::from(id.0))?)?;
-            self.operand(node)
-        };
-        Some(make(operand(a)?, operand(b)?))
+        self.operand(node)
     }
 
-    /// Visits the features that the text declares, of the sample or not.
+    /// The features that the text declares, of the sample or not.
     fn declared(&self, dimension: Dimension, sampled: bool) -> Vec<Node, MAX_FEATURES> {
         let declared = self.declared.iter();
         let own = declared.filter(|own| own.dimension == dimension && own.sampled == sampled);
-        gather(own.map(|own| own.node))
+        gather(own.filter_map(|own| self.nodes().get(usize::from(own.id.0)).copied()))
     }
 
     fn enumerate_lhs(&mut self, domain: &Domain<'_>) {
