@@ -22,17 +22,13 @@ pub(super) fn halve<R: Real>(
     [low, high]: [R; 2],
     visit: &mut dyn FnMut(R, Truth) -> Option<()>,
 ) -> Option<()> {
-    const UNKNOWN: Truth = Truth {
-        may_hold: true,
-        may_fail: true,
-    };
     let (mut index, mut halvings) = (0u32, 0u32);
     for part in 0.. {
         let size = (high - low) / R::from_f64(f64::from(1u32 << halvings));
         let at = |index: u32| low + size * R::from_f64(f64::from(index));
         let [from, to] = [at(index), at(index + 1)];
         let truth = truth_between(along, nodes, constraint, [from, to.min(high)]);
-        if truth == UNKNOWN && halvings < MAX_HALVINGS && part < MAX_PARTS {
+        if truth == Truth::UNKNOWN && halvings < MAX_HALVINGS && part < MAX_PARTS {
             (index, halvings) = (2 * index, halvings + 1);
             continue;
         }

@@ -70,15 +70,10 @@ fn cut<R: Real>(
             continue;
         }
         cut.forget(owner);
-        cut.begin(owner, UNKNOWN);
+        cut.begin(owner, Truth::UNKNOWN);
     }
     cut.write(formula, set);
 }
-
-const UNKNOWN: Truth = Truth {
-    may_hold: true,
-    may_fail: true,
-};
 
 /// The constraint that a root belongs to, and what is known of that constraint after it: four
 /// times the index of the constraint, plus a bit each if it may hold and if it may fail. Roots

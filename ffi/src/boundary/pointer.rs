@@ -65,27 +65,6 @@ pub(crate) unsafe fn zeros<'a, T: Default>(
     }
 }
 
-/// The `count` numbers at a pointer, which may be NULL if there are none, set to zero.
-///
-/// # Safety
-/// As for [`bytes`].
-pub(crate) unsafe fn numbers<'a>(
-    pointer: *mut f64,
-    count: usize,
-    name: &'static str,
-) -> Fallible<&'a mut [f64]> {
-    if count == 0 {
-        return Ok(&mut []);
-    }
-    check(pointer, name)?;
-    // SAFETY: checked; writable by this function's contract, and initialised before a
-    // reference to them is made. A caller counts what a domain has, which is not much.
-    unsafe {
-        core::ptr::write_bytes(pointer, 0, count);
-        Ok(core::slice::from_raw_parts_mut(pointer, count))
-    }
-}
-
 /// A pointer to these numbers for a callback; to some number if there are none, because
 /// an empty slice lies nowhere.
 pub(crate) fn to_numbers(numbers: &[f64]) -> *const f64 {

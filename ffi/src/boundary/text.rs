@@ -178,12 +178,3 @@ pub(crate) unsafe fn explain(
     // A wrong buffer is the first thing to put right.
     status_of(written.and(checked))
 }
-
-/// Takes any text.
-pub(crate) struct Nowhere;
-
-impl fmt::Write for Nowhere {
-    fn write_str(&mut self, _: &str) -> fmt::Result {
-        Ok(())
-    }
-}

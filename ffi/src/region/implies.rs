@@ -4,12 +4,11 @@ use crate::boundary::handle;
 use crate::boundary::pointer::{self, Output, OutputArray};
 use crate::boundary::status::{Failure, Fallible, critreg_status, status_of};
 use crate::boundary::structs::{self, Versioned};
-use crate::boundary::text::{self, Nowhere};
+use crate::boundary::text;
 use crate::region::handle::critreg_region;
 use core::ffi::c_char;
 use core::fmt;
 use core::mem::offset_of;
-use critreg_core::Error;
 use critreg_core::domain::Domain;
 use critreg_core::region::{Limit, ProofConfig, Region, Verdict};
 
@@ -178,7 +177,7 @@ impl Claim<'_> {
                 structs::read(proof, defaults, "proof")?,
                 pointer::slice(ranges, 2 * instances, "ranges")?,
                 OutputArray::new(theta, parameters, "theta")?,
-                pointer::numbers(instance, instances, "instance")?,
+                pointer::zeros(instance, instances, "instance")?,
             )
         };
         let found = self.region.implies(
@@ -206,30 +205,6 @@ impl Claim<'_> {
         };
         // SAFETY: by this function's contract.
         unsafe { structs::write(answer, proof, "proof") }
-    }
-}
-
-/// A question, to be written.
-struct Question<'r> {
-    regions: [&'r critreg_region; 2],
-    ranges: &'r [[f64; 2]],
-    config: ProofConfig,
-    number: usize,
-}
-
-impl Question<'_> {
-    fn write(&self, out: &mut dyn fmt::Write) -> Result<(), Error> {
-        let [region, specification] = self.regions;
-        let which = (self.config, self.number);
-        let specification = &specification.region;
-        let own = &region.region;
-        own.write_smt2(specification, region.domain, self.ranges, which, out)
-    }
-}
-
-impl fmt::Display for Question<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(f).map_err(|_| fmt::Error)
     }
 }
 
@@ -296,15 +271,12 @@ pub unsafe extern "C" fn critreg_region_to_smt2(
                 false => structs::read(proof, defaults, "proof")?,
             };
             let ranges = pointer::slice(ranges, 2 * region.domain.instance_len(), "ranges")?;
-            let question = Question {
-                regions: [region, specification],
-                ranges: ranges.as_chunks().0,
-                config: config.config(),
-                number,
+            let (own, specification) = (&region.region, &specification.region);
+            let (ranges, which) = (ranges.as_chunks().0, (config.config(), number));
+            let write = |out: &mut dyn fmt::Write| {
+                Ok(own.write_smt2(specification, region.domain, ranges, which, out)?)
             };
-            // What cannot be written is known before anything is.
-            question.write(&mut Nowhere)?;
-            text::write(&question, text, len, needed)
+            text::write_by(write, text, len, needed)
         })
     }
 }

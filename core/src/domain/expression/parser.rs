@@ -434,13 +434,12 @@ fn deeper(lexer: &mut Lexer<'_>, depth: u8) -> Result<u8, Failed> {
 /// How many operations stand one in the other. No term is much deeper than is allowed,
 /// because such a one is refused when it is made.
 fn height(nodes: &[Node], id: NodeId) -> u8 {
-    match nodes.get(usize::from(id.0)) {
-        Some(
-            Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b) | Node::Quotient(a, b),
-        ) => {
-            let [a, b] = [a, b].map(|own| height(nodes, *own));
+    let node = nodes.get(usize::from(id.0));
+    match node.and_then(|node| node.operands()) {
+        Some((a, b, _)) => {
+            let [a, b] = [a, b].map(|own| height(nodes, own));
             a.max(b).saturating_add(1)
         }
-        _ => 0,
+        None => 0,
     }
 }

@@ -71,6 +71,14 @@ pub struct Truth {
     pub may_fail: bool,
 }
 
+impl Truth {
+    /// It may hold and it may fail.
+    pub(crate) const UNKNOWN: Truth = Truth {
+        may_hold: true,
+        may_fail: true,
+    };
+}
+
 impl From<bool> for Truth {
     fn from(holds: bool) -> Truth {
         Truth {

@@ -90,9 +90,7 @@ impl Region {
         name: &str,
         out: &mut dyn fmt::Write,
     ) -> Result<(), Error> {
-        if domain.fingerprint() != self.fingerprint {
-            return Err(Error::Mismatch("the region belongs to another domain text"));
-        }
+        self.check_domain(domain)?;
         let export = Export {
             region: self,
             domain,
