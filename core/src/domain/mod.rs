@@ -143,6 +143,7 @@
 //! no member is there, a least value is above every bound, and a greatest one below.
 
 mod algebra;
+mod coincidence;
 mod compound;
 mod declarations;
 mod description;

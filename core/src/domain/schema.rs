@@ -65,6 +65,10 @@ pub struct Domain<'t> {
     pub(super) compares: bool,
     /// The points that no relation is enumerated of.
     pub(super) hidden: Bits,
+    /// The points whose places others say.
+    pub(super) repeating: Bits,
+    /// The points whose places move with a parameter.
+    pub(super) displaced: Bits,
     /// What alone relations are enumerated of, if the text says so.
     pub(super) related: Option<Related>,
     pub(super) nodes: Vec<Node, MAX_DOMAIN_NODES>,
@@ -90,6 +94,8 @@ impl<'t> Domain<'t> {
             features: Vec::new(),
             compares: false,
             hidden: Bits::NONE,
+            repeating: Bits::NONE,
+            displaced: Bits::NONE,
             related: None,
             nodes: Vec::new(),
             slots: 0,

@@ -1,6 +1,6 @@
 //! The features without arithmetic that are about bodies.
 
-use super::leaves::{Visit, say, say_least, shown};
+use super::leaves::{Visit, places, say, say_least, shown};
 use crate::domain::{Beam, Domain, Point, Quantity};
 use crate::geometry::{Axis, Relation};
 
@@ -33,7 +33,7 @@ pub(super) fn parts_of_bodies(domain: &Domain<'_>, sampled: bool, visit: Visit<'
 /// By how much things are off the direction of others, where one of the two moves.
 pub(super) fn offs(domain: &Domain<'_>, visit: Visit<'_>) {
     for (b, second) in things(domain).filter(|(b, _)| domain.is_oriented(*b)) {
-        for (a, first) in things(domain) {
+        for (a, first) in things(domain).filter(|(a, _)| domain.names_place(*a)) {
             if first.owner != second.owner && (first.sampled || second.sampled) {
                 say(domain, Quantity::Off(a, b), visit);
             }
@@ -87,10 +87,28 @@ fn is_said_of(domain: &Domain<'_>, relation: Relation, [a, b]: [u8; 2]) -> bool 
         }
     };
     ordered
+        && says_where(domain, relation, [a, b])
         && (of_first || is_single(a))
         && (of_second || is_single(b))
         && (has_extent(domain, a) || has_extent(domain, b))
         && !are_of_one_body(domain, [a, b])
+}
+
+/// Whether a relation between two things is one of their places: of two at one place only what
+/// depends on how they are turned is said.
+fn says_where(domain: &Domain<'_>, relation: Relation, [a, b]: [u8; 2]) -> bool {
+    match relation {
+        Relation::Inside | Relation::InsideAlong(_) | Relation::Corner => {
+            let bodies = has_extent(domain, a) && has_extent(domain, b);
+            domain.names_place(a) && (bodies || !domain.coincide(a, b))
+        }
+        Relation::Clear | Relation::Over => {
+            domain.names_place(a) && domain.names_place(b) && !domain.coincide(a, b)
+        }
+        Relation::Coordinate(_) | Relation::Magnitude(_) => {
+            domain.names_place(a) && !domain.coincide(a, b)
+        }
+    }
 }
 
 fn has_extent(domain: &Domain<'_>, number: u8) -> bool {
@@ -118,11 +136,11 @@ fn are_of_one_body(domain: &Domain<'_>, [a, b]: [u8; 2]) -> bool {
 /// third thing that stands. What one of the ends is placed in is left out, because the end
 /// moves with it or is a part of it.
 fn sights(domain: &Domain<'_>, visit: Visit<'_>) {
-    for (a, start) in shown(domain).filter(|(_, p)| p.sampled) {
-        for (b, end) in shown(domain) {
+    for (a, start) in places(domain).filter(|(a, _)| domain.is_displaced(*a)) {
+        for (b, end) in places(domain).filter(|(b, _)| !domain.is_displaced(*b)) {
             // Key points and members of groups would be too many ends.
             let is_single = end.part.is_empty() && end.member.is_none();
-            if is_single && !end.sampled && end.owner != start.owner {
+            if is_single && end.owner != start.owner {
                 sights_between(domain, [a, b], end, visit);
             }
         }

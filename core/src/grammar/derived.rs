@@ -2,7 +2,7 @@
 
 use super::body_leaves::offs;
 use super::features::{Features, feature_id};
-use super::leaves::{folded_angles, shown, vertex_angles};
+use super::leaves::{folded_angles, places, vertex_angles};
 use crate::domain::{
     Coordinate, Dimension, Domain, Extreme, Metric, Node, NodeId, Point, Quantity, Share,
 };
@@ -71,9 +71,10 @@ impl<R: Real> Features<'_, R> {
         let axes = axes.get(..domain.axes()).unwrap_or(&axes);
         let single =
             |(index, point): &(u8, &Point<'_>)| point.member.is_none() && !domain.is_hidden(*index);
-        for (a, first) in (0u8..).zip(domain.points()).filter(single) {
+        let placed = |(a, _): &(u8, &Point<'_>)| domain.names_place(*a);
+        for (a, first) in (0u8..).zip(domain.points()).filter(single).filter(placed) {
             for (b, second) in (0u8..).zip(domain.points()).filter(single) {
-                if a == b
+                if domain.coincide(a, b)
                     || !second.has_heading()
                     || !domain.is_oriented(b)
                     || first.sampled == second.sampled
@@ -92,14 +93,10 @@ impl<R: Real> Features<'_, R> {
 
     /// Distances from the members of groups, minus a share of a size that each has.
     fn derive_gaps(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
-        let points = || {
-            (0u8..)
-                .zip(domain.points())
-                .filter(|(i, _)| !domain.is_hidden(*i))
-        };
-        let moving = points().filter(|(_, p)| p.sampled && p.member.is_none());
+        let moving = places(domain)
+            .filter(|(index, point)| domain.is_displaced(*index) && point.member.is_none());
         for (a, _) in moving {
-            for (b, point) in points().filter(|(_, p)| p.is_object() && !p.sampled) {
+            for (b, point) in places(domain).filter(|(_, p)| p.is_object() && !p.sampled) {
                 let first = point.member.filter(|member| member.index == 0);
                 let sizes = (0u8..).zip(domain.slots()).filter(|(slot, (object, own))| {
                     object.member == first
@@ -121,7 +118,8 @@ impl<R: Real> Features<'_, R> {
     fn derive_diagonals(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
         let mut moving = false;
         for (index, point) in (0u8..).zip(domain.points()) {
-            if !point.sampled || point.member.is_some() || domain.axes() < 2 {
+            let moves = domain.is_displaced(index) && domain.names_place(index);
+            if !moves || point.member.is_some() || domain.axes() < 2 {
                 continue;
             }
             moving = true;
@@ -177,13 +175,18 @@ impl<R: Real> Features<'_, R> {
 
     /// How steep it is from what stands to what moves.
     fn derive_slopes(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
-        for (a, _) in shown(domain).filter(|(_, p)| p.sampled && p.member.is_none()) {
-            for (b, _) in shown(domain).filter(|(_, p)| p.is_object() && p.member.is_none()) {
+        if domain.axes() < 2 {
+            return;
+        }
+        let single = |(_, point): &(u8, &Point<'_>)| point.member.is_none();
+        for (a, _) in places(domain)
+            .filter(single)
+            .filter(|(a, _)| domain.is_displaced(*a))
+        {
+            for (b, _) in places(domain).filter(single).filter(|(_, p)| p.is_object()) {
                 let along = |metric| Node::Quantity(Quantity::Distance(metric, a, b));
                 let operands = [Metric::X, Metric::Y].map(|metric| self.operand(along(metric)));
-                if let [Some(x), Some(y)] = operands
-                    && domain.axes() >= 2
-                {
+                if let [Some(x), Some(y)] = operands {
                     self.offer(Node::Quotient(x, y), visit);
                 }
             }

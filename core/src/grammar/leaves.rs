@@ -43,6 +43,22 @@ pub(super) fn shown<'d>(
     points.filter(|(index, _)| !domain.is_hidden(*index))
 }
 
+/// Those that say where something is.
+pub(super) fn places<'d>(
+    domain: &'d Domain<'_>,
+) -> impl Iterator<Item = (u8, &'d Point<'d>)> + Clone {
+    shown(domain).filter(|(index, _)| domain.names_place(*index))
+}
+
+/// Whether what is measured between the places of some points is of the sample, or not; what
+/// turns with a parameter and stays where it is has no place among the latter.
+fn is_between(domain: &Domain<'_>, points: &[(u8, &Point<'_>)], sampled: bool) -> bool {
+    match sampled {
+        true => points.iter().any(|(index, _)| domain.is_displaced(*index)),
+        false => points.iter().all(|(_, point)| !point.sampled),
+    }
+}
+
 /// The attributes of objects.
 pub(super) fn attributes(domain: &Domain<'_>, dimension: Dimension, visit: Visit<'_>) {
     for (index, (_, attribute)) in (0u8..).zip(domain.slots()) {
@@ -71,8 +87,13 @@ pub(super) fn coordinates(
         if point.sampled != sampled || point.is_object() {
             continue;
         }
+        let is_place = domain.names_place(index) && domain.is_displaced(index) == sampled;
         for axis in axes {
-            if *axis != Coordinate::Theta || point.turn != [None; 3] {
+            let says = match axis {
+                Coordinate::Theta => point.turn != [None; 3],
+                _ => is_place,
+            };
+            if says {
                 say(domain, Quantity::Coordinate(*axis, index), visit);
             }
         }
@@ -82,12 +103,12 @@ pub(super) fn coordinates(
 /// Angles at a vertex between the directions to two other points, of the sample or not.
 /// Key points are left out, because they lie in the directions of their objects.
 pub(super) fn vertex_angles(domain: &Domain<'_>, sampled: bool, visit: Visit<'_>) {
-    let points = shown(domain).filter(|(_, p)| p.is_object() || p.sampled);
+    let points = places(domain).filter(|(_, p)| p.is_object() || p.sampled);
     for (vertex, at) in points.clone() {
         for (a, first) in points.clone().filter(|(a, _)| *a != vertex) {
             let others = points.clone().take_while(|(b, _)| *b < a);
             for (b, second) in others.filter(|(b, _)| *b != vertex) {
-                if (at.sampled || first.sampled || second.sampled) == sampled {
+                if is_between(domain, &[(vertex, at), (a, first), (b, second)], sampled) {
                     say(domain, Quantity::VertexAngle(a, vertex, b), visit);
                 }
             }
@@ -131,14 +152,18 @@ pub(super) fn relations(
         for (a, first) in shown(domain) {
             for (b, second) in shown(domain).take_while(|(b, _)| *b < a) {
                 let own = bodies && (first.is_key_point() || second.is_key_point());
-                if (first.sampled || second.sampled) != sampled || own != of_key_points {
+                if own != of_key_points {
                     continue;
                 }
+                let apart = [a, b].iter().all(|point| domain.names_place(*point))
+                    && !domain.coincide(a, b)
+                    && is_between(domain, &[(a, first), (b, second)], sampled);
+                let turned = angles && first.has_heading() && second.has_heading();
                 let (a, b) = ordered((a, first), (b, second));
-                for metric in metrics {
+                for metric in metrics.iter().filter(|_| apart) {
                     say(domain, Quantity::Distance(*metric, a, b), visit);
                 }
-                if angles && first.has_heading() && second.has_heading() {
+                if turned && (first.sampled || second.sampled) == sampled {
                     say(domain, Quantity::Angle(a, b), visit);
                 }
             }

@@ -49,7 +49,7 @@ pub fn training() -> Training {
         chained: 60,
         budget: 245,
         way: 10_000,
-        tasks: 12,
+        tasks: 40,
         situations: 34,
         states: 26,
     }
@@ -218,6 +218,7 @@ fn print_skill<E: Environment>(
         learned.situations,
         learned.runs,
     );
+    println!("quality: {:?}, {}", learned.quality, learned.why);
     let region = skill.region();
     let region = region.map(|region| text::of_region(skill.domain(), region));
     println!("region: {}", region.as_deref().unwrap_or("none"));

@@ -102,6 +102,7 @@ impl DomainParser<'_, '_> {
                 .lexer
                 .fail("expected an object with an attribute, or a parameter"));
         }
+        self.domain.settle_places();
         Ok(())
     }
 }

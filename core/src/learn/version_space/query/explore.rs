@@ -10,9 +10,9 @@ use crate::real::Real;
 use rand_core::Rng;
 
 impl<R: Real> Strategy<'_, '_, R> {
-    /// The candidate farthest from all samples. Every other time only candidates count that
-    /// the best hypothesis admits, because a gap in it does most harm, or that one of
-    /// several clauses refuses, because there a second piece of a union would be.
+    /// The candidate farthest from all samples. Every other time it is a draw from the region,
+    /// because a gap in it does most harm, or only candidates count that one of several clauses
+    /// of the best hypothesis refuses, because there a second piece of a union would be.
     #[inline(never)]
     pub(super) fn explore(
         &self,
@@ -28,7 +28,37 @@ impl<R: Real> Strategy<'_, '_, R> {
         } else {
             Some(0)
         };
+        if wanted == Some(0) && self.farthest_draw(rng, query)? {
+            return Ok(true);
+        }
         self.farthest(wanted, lhs, rng, query)
+    }
+
+    /// Of some draws from the region, the one farthest from all samples of its instance. Of
+    /// candidates from everywhere hardly one is inside of a region that is a hundredth of it, and
+    /// none in its second piece.
+    #[inline(never)]
+    fn farthest_draw(&self, rng: &mut Generator, query: &mut Query) -> Result<bool, Error> {
+        let (problem, tuning) = (self.problem, self.forms.tuning());
+        let mut most: Option<f64> = None;
+        for _ in 0..tuning.query_instances {
+            let instance = below(rng, problem.count());
+            let values = problem.instance(instance)?;
+            let region = self.region.ground::<R>(problem.domain(), values)?;
+            for _ in 0..tuning.query_candidates {
+                let theta = match region.sample(rng) {
+                    Ok(theta) => theta,
+                    Err(Error::EmptyRegion | Error::NoSample) => break,
+                    Err(error) => return Err(error),
+                };
+                let own = Query { instance, theta };
+                let distance = self.distance(&own);
+                if most.is_none_or(|most| distance > most) {
+                    (most, *query) = (Some(distance), own);
+                }
+            }
+        }
+        Ok(most.is_some())
     }
 
     /// Of some candidates that are refused by so many clauses of the best

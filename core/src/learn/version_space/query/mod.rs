@@ -31,6 +31,7 @@ use crate::learn::question::{Purpose, Trial};
 use crate::learn::{Observation, Problem, Query};
 use crate::random::{Generator, uniform};
 use crate::real::Real;
+use crate::region::Region;
 
 /// What questions are about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +57,7 @@ impl Phase {
 struct Strategy<'s, 'm, R> {
     problem: &'s Problem<'s>,
     forms: &'s Forms<'m, R>,
+    region: &'s Region,
     committee: &'s Committee<'m, R>,
     observations: &'s [Observation],
     /// Whether there are some among them that were not asked.
@@ -257,6 +259,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         let strategy = Strategy {
             problem,
             forms: &self.forms,
+            region: &*self.region,
             committee: &self.committee,
             observations: self.observations.as_slice(),
             observed: self.report.observed > 0,
