@@ -20,6 +20,11 @@ pub(super) const COMPLEXITY: usize = 2;
 /// and recall are 98.6 % and 98.4 %, and planning begins anew 57 times.
 pub(super) const ROUNDS: u64 = 4;
 
+/// The precision that a region wants that does not agree with all answers. It is advice: what is
+/// drawn from it four times out of five works, where the original sampler may need a hundred
+/// draws, and where it does not help, planning begins anew without it.
+pub(super) const PRECISION_WANTED: f64 = 0.8;
+
 /// Tries of a situation, with other draws of the parameters that are free, before its
 /// answer is that it does not work. With 1, 176 skills have a region; with 4, 178.
 pub(super) const TRIES: u32 = 2;

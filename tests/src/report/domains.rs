@@ -44,7 +44,7 @@ pub fn training() -> Training {
         learner: critreg::learn::version_space::Config {
             calls: 112,
             slack: 0.0,
-            ..Default::default()
+            ..Training::default().learner
         },
         chained: 60,
         budget: 245,

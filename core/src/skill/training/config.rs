@@ -3,7 +3,7 @@
 use crate::learn::Config;
 use crate::learn::version_space::{Quality, Report, Why};
 use crate::plan;
-use crate::skill::tuning::CANDIDATES;
+use crate::skill::tuning::{CANDIDATES, PRECISION_WANTED};
 
 /// How much is tried to learn a skill. The defaults suit an environment whose tasks cost
 /// little to make; they are chosen with `report -- table`.
@@ -30,7 +30,10 @@ pub struct Training {
 impl Default for Training {
     fn default() -> Self {
         Training {
-            learner: Config::default(),
+            learner: Config {
+                precision_wanted: PRECISION_WANTED,
+                ..Config::default()
+            },
             chained: 200,
             budget: 0,
             tasks: 150,
