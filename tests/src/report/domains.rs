@@ -85,8 +85,8 @@ fn planning_in(name: &str) -> Config {
         // Where a hand stops is not known, so some tasks take a search behind the first
         // plan skeletons; advice is right, and does not end there.
         "stick_button_move" => Config {
-            skeletons_per_state: 4,
-            patience: 10_000,
+            skeletons_per_state: 16,
+            patience: 20_000,
             ..Config::default()
         },
         _ => Config::default(),
