@@ -172,6 +172,7 @@ impl<W, S, G> Planner<'_, W, S, G> {
             goal: task.goal,
             config: &self.config,
             dead: None,
+            done: 0,
         };
         loop {
             let spent = metrics.spent().skeletons >= self.config.max_skeletons;

@@ -62,6 +62,10 @@ pub struct Refiner<'a, W: World<N>, S, const N: usize = 2> {
     /// controller took no action: how many steps these are. No skeleton that begins with
     /// them can be refined.
     pub dead: Option<usize>,
+    /// How many steps of the memory are still what they were when they worked, none of them
+    /// with parameters: a skeleton that begins with them need not run them again. Zero in
+    /// the beginning.
+    pub done: usize,
 }
 
 /// What came of a try of a step.
@@ -89,9 +93,17 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
         let Some(steps) = steps.get_mut(..skeleton.len()) else {
             return Ok(Refinement::TooLong);
         };
+        self.done = self.still_done(skeleton, steps);
         self.prepare(skeleton, steps)?;
         self.dead = None;
-        let (mut at, mut tried_out) = (0, false);
+        let (mut at, mut tried_out) = (self.done, false);
+        for (step, operator) in steps.iter_mut().zip(skeleton.iter()).take(self.done) {
+            step.tries = step.max_tries;
+            if !self.is_good(step)? {
+                metrics.fail(operator.operator);
+                return Ok(Refinement::Failed);
+            }
+        }
         while let Some(operator) = skeleton.get(at) {
             let Some((done, [step, ..])) = steps.split_at_mut_checked(at) else {
                 break;
@@ -111,12 +123,15 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
                 advised: metrics.advised.is_none(),
             };
             let actions = done.iter().map(|step| u64::from(step.actions)).sum();
+            let is_fixed = |step: &Step<W::State, N>| step.max_tries == 1;
             let tried = self.try_step(&draw, step, actions, rng, metrics)?;
             if tried == Tried::Works {
+                if self.done == at && is_fixed(step) {
+                    self.done += 1;
+                }
                 at += 1;
                 continue;
             }
-            let is_fixed = |step: &Step<W::State, N>| step.max_tries == 1;
             if tried == Tried::NoAction && is_fixed(step) && done.iter().all(is_fixed) {
                 self.dead = Some(at + 1);
             }
@@ -132,6 +147,19 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
             }
         }
         Ok(Refinement::Done)
+    }
+
+    /// How many steps are done already, and are the first ones of this skeleton. None if
+    /// sequences to an abstract state have no bound, so that refinement stays as it was
+    /// recorded.
+    fn still_done(&self, skeleton: Skeleton<'_, N>, steps: &[Step<W::State, N>]) -> usize {
+        if self.config.skeletons_per_state == u32::MAX {
+            return 0;
+        }
+        let known = steps.iter().zip(skeleton.places()).take(self.done);
+        known
+            .take_while(|(step, place)| step.operator == **place)
+            .count()
     }
 
     /// Sets up the steps: their operators and tries, and from behind their
@@ -199,12 +227,20 @@ impl<W: World<N>, S: Sampler<W, N>, const N: usize> Refiner<'_, W, S, N> {
         if actions_before + actions > u64::from(self.config.max_actions) {
             return Ok(Tried::Fails);
         }
+        Ok(match self.is_good(step)? {
+            true => Tried::Works,
+            false => Tried::Fails,
+        })
+    }
+
+    /// Whether the necessary atoms hold after a step.
+    fn is_good(&mut self, step: &Step<W::State, N>) -> Result<bool, W::Error> {
         for atom in step.necessary.places() {
-            if !self.world.holds(atom, after)? {
-                return Ok(Tried::Fails);
+            if !self.world.holds(atom, &step.state)? {
+                return Ok(false);
             }
         }
-        Ok(Tried::Works)
+        Ok(true)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::tuning::{AGREEING, CONSTANT_RUNS};
 use crate::domain::MAX_TYPES;
 use crate::error::Error;
-use crate::task::{ControllerId, MAX_ARGUMENTS, ObjectId, State};
+use crate::task::{ControllerId, MAX_ARGUMENTS, ObjectId, PredicateId, State};
 use crate::wire::{Reader, Writer};
 
 /// Attributes of an object of which more is known than that they change.
@@ -21,6 +21,10 @@ pub struct Changes {
     others: [u32; MAX_TYPES],
     /// In how many runs any attribute of others of a type changed.
     touched: [u32; MAX_TYPES],
+    /// A bit for each predicate of which an atom ended, without being said to, and of which
+    /// one did not; the last also for those beyond.
+    ended: u64,
+    stayed: u64,
 }
 
 /// What happens to one object.
@@ -70,6 +74,24 @@ impl Changes {
             *count += u32::from(own);
         }
         self.runs = self.runs.saturating_add(1);
+    }
+
+    /// Takes in whether an atom still holds after a run, of which the operator says that it
+    /// holds before and not that it ends.
+    pub fn observe_atom(&mut self, predicate: PredicateId, holds: bool) {
+        let seen = if holds {
+            &mut self.stayed
+        } else {
+            &mut self.ended
+        };
+        *seen |= predicate_bit(predicate);
+    }
+
+    /// Whether atoms of a predicate, which hold before, end with every run, although
+    /// operators do not say so: as far as was seen.
+    pub fn ends(&self, predicate: PredicateId) -> bool {
+        let seen = self.runs >= CONSTANT_RUNS;
+        seen && self.ended & !self.stayed & predicate_bit(predicate) != 0
     }
 
     /// Whether a run of the controller with these objects may change an attribute.
@@ -152,6 +174,8 @@ impl Changes {
         }
         let others = self.others.iter().chain(&self.touched);
         others.for_each(|number| writer.u32(*number));
+        writer.u64(self.ended);
+        writer.u64(self.stayed);
     }
 
     /// Reads what [`Changes::write`] wrote.
@@ -169,6 +193,7 @@ impl Changes {
         for number in changes.others.iter_mut().chain(&mut changes.touched) {
             *number = reader.u32()?;
         }
+        (changes.ended, changes.stayed) = (reader.u64()?, reader.u64()?);
         Ok(changes)
     }
 }
@@ -187,4 +212,8 @@ impl Effect {
 
 fn bit(attribute: usize) -> u32 {
     1 << attribute.min(31)
+}
+
+fn predicate_bit(PredicateId(predicate): PredicateId) -> u64 {
+    1 << predicate.min(63)
 }

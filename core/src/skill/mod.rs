@@ -112,7 +112,7 @@ pub use pair::{Later, write_pair};
 pub use planning::{RegionGuide, RegionSampler};
 pub use role_binding::RoleBinding;
 pub use room::{SkillRoom, TrainingRoom};
-pub use setting::{Practice, Setting, Signature};
+pub use setting::{Practice, Said, Setting, Signature};
 pub use skills::{Skill, Skills};
 pub use training::{
     Candidate, Course, Journal, Learned, MAX_CHAIN, Oracle, Situation, Trainer, Training,

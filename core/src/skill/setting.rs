@@ -4,9 +4,9 @@
 use super::description::Describe;
 use crate::error::Error;
 use crate::task::{
-    Arguments, AtomSet, Atoms, ControllerId, GroundAtom, GroundOperator, ObjectId, ObjectType,
-    OperatorId, Parameters, PredicateId, State, Task, TypeId, ground_operators, rollout,
-    try_operator,
+    Arguments, AtomSet, Atoms, ControllerId, GroundAtom, GroundOperator, LiftedAtom, ObjectId,
+    ObjectType, OperatorId, Parameters, PredicateId, State, Task, TypeId, ground_operators,
+    rollout, try_operator,
 };
 use core::fmt::{self, Write};
 use heapless::VecView;
@@ -21,6 +21,17 @@ pub struct Signature {
     pub arguments: &'static [TypeId],
     /// How many continuous parameters it has.
     pub parameters: usize,
+}
+
+/// What an operator says of an atom.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Said {
+    /// It holds before, and nothing is said of it afterwards.
+    Stays,
+    /// It holds before, and no longer afterwards.
+    Ends,
+    /// It holds afterwards.
+    Added,
 }
 
 /// What skills are used in.
@@ -45,6 +56,16 @@ pub trait Setting {
         operator: OperatorId,
         objects: &[ObjectId],
     ) -> Result<(ControllerId, Arguments), Error>;
+
+    /// Visits the preconditions and add effects of an operator with these objects. What is
+    /// not visited, as by default, is not known to end without being said to.
+    fn visit_atoms(
+        &self,
+        _operator: OperatorId,
+        _objects: &[ObjectId],
+        _visit: &mut dyn FnMut(Said, GroundAtom),
+    ) {
+    }
 
     /// Parameters of the original sampler for the controller of an operator.
     fn draw<R: Rng>(
@@ -141,6 +162,26 @@ impl<E: Describe> Setting for E {
         let operator = E::OPERATORS.get(usize::from(id));
         let operator = operator.ok_or(Error::Mismatch("an operator is not of this environment"))?;
         Ok((operator.controller, operator.controller_objects(objects)?))
+    }
+
+    fn visit_atoms(
+        &self,
+        OperatorId(id): OperatorId,
+        objects: &[ObjectId],
+        visit: &mut dyn FnMut(Said, GroundAtom),
+    ) {
+        let Some(operator) = E::OPERATORS.get(usize::from(id)) else {
+            return;
+        };
+        let ground = |lifted: &LiftedAtom<'_>| lifted.ground(objects).ok();
+        for atom in operator.preconditions.iter().filter_map(ground) {
+            let mut deleted = operator.delete_effects.iter().filter_map(ground);
+            let ends = deleted.any(|other| other == atom);
+            visit(if ends { Said::Ends } else { Said::Stays }, atom);
+        }
+        for atom in operator.add_effects.iter().filter_map(ground) {
+            visit(Said::Added, atom);
+        }
     }
 
     fn draw<R: Rng>(

@@ -3,9 +3,11 @@
 use critreg::Error;
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
+use critreg::env::coffee::Coffee;
 use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
 use critreg::env::stick_button::StickButton;
+use critreg::env::stick_button_move::StickButtonMove;
 use critreg::learn::{Capacity, Memory};
 use critreg::plan::{self, Conclusion, Config, GroundTask, Planner, ReasonId};
 use critreg::random::generator;
@@ -44,11 +46,13 @@ plan_in! {
     no_std_plan_blocks Blocks;
     no_std_plan_cluttered_table ClutteredTable;
     no_std_plan_cluttered_table_place ClutteredTablePlace;
+    no_std_plan_coffee Coffee;
     no_std_plan_cover Cover;
     no_std_plan_cover_regrasp CoverRegrasp;
     no_std_plan_cover_regional_bumpy RegionalBumpyCover;
     no_std_plan_shelf Shelf;
     no_std_plan_stick_button StickButton;
+    no_std_plan_stick_button_move StickButtonMove;
 }
 
 fn plan<E: Describe>(mut room: Room<E>) -> Result<bool, Error> {

@@ -9,7 +9,7 @@
 mod records;
 mod replay;
 
-pub use replay::{Counts, replay};
+pub use replay::{Counts, replay, replay_within};
 
 use crate::data::{lines, next};
 use critreg::task::{Environment, Task};
@@ -53,6 +53,10 @@ pub static CLUTTERED_TABLE: Recording = recording!("cluttered_table");
 pub static CLUTTERED_TABLE_PLACE: Recording = recording!("cluttered_table_place");
 /// `blocks`.
 pub static BLOCKS: Recording = recording!("blocks");
+/// `coffee`.
+pub static COFFEE: Recording = recording!("coffee");
+/// `stick_button_move`.
+pub static STICK_BUTTON_MOVE: Recording = recording!("stick_button_move");
 
 /// A recorded task.
 pub struct RecordedTask {

@@ -52,12 +52,27 @@ impl Room {
     }
 }
 
-/// Plans a task from its initial state. Lots, and the samples of each skeleton, are the
-/// numbers that `numbers` begins.
+/// Plans a task from its initial state, as the framework does. Lots, and the samples of each
+/// skeleton, are the numbers that `numbers` begins.
 ///
 /// # Errors
 /// Those of [`Planner::plan`].
 pub fn plan<'m, E: Environment, R: Rng + Clone>(
+    grounding: &'m Grounding<'_, E>,
+    initial: &State,
+    advice: (impl Sampler<Simulated<'m, E>>, impl Guide),
+    numbers: impl Fn() -> R,
+    room: &'m mut Room,
+) -> Result<Planned<'m, State>, Error> {
+    plan_as(Config::default(), grounding, initial, advice, numbers, room)
+}
+
+/// As [`plan`], with a configuration.
+///
+/// # Errors
+/// Those of [`Planner::plan`].
+pub fn plan_as<'m, E: Environment, R: Rng + Clone>(
+    config: Config,
     grounding: &'m Grounding<'_, E>,
     initial: &State,
     (mut sampler, mut guide): (impl Sampler<Simulated<'m, E>>, impl Guide),
@@ -68,7 +83,7 @@ pub fn plan<'m, E: Environment, R: Rng + Clone>(
         world: &mut grounding.simulated(),
         sampler: &mut sampler,
         guide: &mut guide,
-        config: Config::default(),
+        config,
     };
     planner.plan(grounding.task(), initial, numbers(), &numbers, room.lend())
 }

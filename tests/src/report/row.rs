@@ -1,7 +1,7 @@
 //! A row of the table: what planning took.
 
-use crate::plan::{Grounding, Room, plan};
-use critreg::plan::{Conclusion, Guide, Planned, Sampler, Simulated, Unguided};
+use crate::plan::{Grounding, Room, plan_as};
+use critreg::plan::{Conclusion, Config, Guide, Planned, Sampler, Simulated, Unguided};
 use critreg::skill::{Describe, RegionGuide, RegionSampler, Skills};
 use critreg::task::{Environment, State, Task};
 use rand_core::Rng;
@@ -62,6 +62,21 @@ impl Row {
     /// As [`Row::plan`].
     pub(super) fn plan_with_skills<E: Describe, R: Rng + Clone>(
         &mut self,
+        problem: (&E, &Task),
+        skills: &Skills<'_>,
+        numbers: impl Fn() -> R,
+        room: &mut Room,
+    ) {
+        self.plan_with_skills_as(Config::default(), problem, skills, numbers, room);
+    }
+
+    /// As [`Row::plan_with_skills`], with a configuration.
+    ///
+    /// # Panics
+    /// As [`Row::plan`].
+    pub(super) fn plan_with_skills_as<E: Describe, R: Rng + Clone>(
+        &mut self,
+        config: Config,
         (environment, task): (&E, &Task),
         skills: &Skills<'_>,
         numbers: impl Fn() -> R,
@@ -71,7 +86,7 @@ impl Row {
         let grounding = ground(environment, task);
         let sampler = RegionSampler::new(environment, skills);
         let guide = RegionGuide::new(environment, skills, &task.initial);
-        self.plan((&grounding, task), (sampler, guide), numbers, room);
+        self.plan_as(config, (&grounding, task), (sampler, guide), numbers, room);
         self.seconds += started.elapsed().as_secs_f64();
     }
 
@@ -87,7 +102,18 @@ impl Row {
         numbers: impl Fn() -> R,
         room: &'m mut Room,
     ) {
-        let planned = plan(grounding, &task.initial, advice, numbers, room);
+        self.plan_as(Config::default(), (grounding, task), advice, numbers, room);
+    }
+
+    fn plan_as<'m, E: Environment, R: Rng + Clone>(
+        &mut self,
+        config: Config,
+        (grounding, task): (&'m Grounding<'_, E>, &Task),
+        advice: (impl Sampler<Simulated<'m, E>>, impl Guide),
+        numbers: impl Fn() -> R,
+        room: &'m mut Room,
+    ) {
+        let planned = plan_as(config, grounding, &task.initial, advice, numbers, room);
         let planned = planned.expect("the environment does not fail");
         self.add(grounding.environment, task, &planned);
     }

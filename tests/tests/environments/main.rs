@@ -3,7 +3,9 @@
 
 mod blocks;
 mod cluttered_table;
+mod coffee;
 mod cover;
 mod shelf;
 mod single_precision;
 mod stick_button;
+mod stick_button_move;

@@ -3,9 +3,11 @@
 
 use critreg::env::blocks::Blocks;
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace};
+use critreg::env::coffee::Coffee;
 use critreg::env::cover::{Cover, CoverRegrasp, RegionalBumpyCover};
 use critreg::env::shelf::Shelf;
 use critreg::env::stick_button::StickButton;
+use critreg::env::stick_button_move::StickButtonMove;
 use critreg::random::{Generator, generator};
 use critreg::task::{Environment, State, Task, try_operator};
 use critreg_tests::plan::Grounding;
@@ -79,6 +81,8 @@ fn recorded_environments_round_what_they_draw_and_what_they_read() {
         counts(&Blocks, |_, rng| Blocks.task(3..=4, rng)),
         counts(&ClutteredTable, |_, rng| ClutteredTable.task(5, rng)),
         counts(&ClutteredTablePlace, |_, rng| ClutteredTablePlace.task(rng)),
+        counts(&Coffee, |_, rng| Coffee.task(1..=2, rng)),
+        counts(&StickButtonMove, |_, rng| StickButtonMove.task(1..=2, rng)),
         counts(&Cover, |index, rng| Cover.task(index, rng)),
         counts(&CoverRegrasp, |index, rng| CoverRegrasp.task(index, rng)),
         counts(&RegionalBumpyCover, |index, rng| {

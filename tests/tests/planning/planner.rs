@@ -2,6 +2,7 @@
 
 use critreg::Error;
 use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, StickButton};
+use critreg::env::stick_button_move::StickButtonMove;
 use critreg::plan::{
     self, AbstractTask, Advice, Conclusion, Config, Draw, Drawn, Guide, Planned, Planner, ReasonId,
     Sampler, Simulated, Skeleton, Spent, Unguided, World,
@@ -150,6 +151,85 @@ fn whatever_is_solved_is_solved_with_states_recognised() {
             );
         }
     }
+}
+
+/// The original sampler, writing down for each skeleton at which step it was first asked,
+/// and at which last.
+struct Steps<'a> {
+    original: Simulated<'a, StickButtonMove>,
+    skeletons: Vec<(Vec<u16>, [usize; 2])>,
+}
+
+impl Sampler<Simulated<'_, StickButtonMove>> for Steps<'_> {
+    fn sample<R: Rng>(&mut self, draw: &Draw<'_, State>, rng: &mut R) -> Result<Drawn, Error> {
+        let places = draw.skeleton.places();
+        match self.skeletons.last_mut() {
+            Some((last, [_, step])) if last == places => *step = draw.step,
+            _ => self.skeletons.push((places.to_vec(), [draw.step; 2])),
+        }
+        self.original.sample(draw, rng)
+    }
+}
+
+/// Where sequences to an abstract state are bounded, steps without parameters that worked
+/// are not run again for the next skeleton that begins with them, and the plan is the same
+/// as if they had been.
+#[test]
+fn steps_without_parameters_are_run_once() {
+    let (mut rng, mut room, mut kept) = (generator(3), Room::new(10_000), 0);
+    for _ in 0..40 {
+        let task = StickButtonMove.task(2..=3, &mut rng).unwrap();
+        let grounding = Grounding::new(&StickButtonMove, &task).unwrap();
+        let mut sampler = Steps {
+            original: grounding.simulated(),
+            skeletons: vec![],
+        };
+        let mut planner = Planner {
+            world: &mut grounding.simulated(),
+            sampler: &mut sampler,
+            guide: &mut Unguided,
+            config: Config {
+                skeletons_per_state: 4,
+                max_samples: 500,
+                ..Config::default()
+            },
+        };
+        let numbers = || generator(1);
+        let planned = planner.plan(
+            grounding.task(),
+            &task.initial,
+            numbers(),
+            numbers,
+            room.lend(),
+        );
+        let (mut world, mut state) = (grounding.simulated(), task.initial.clone());
+        for step in planned.unwrap().steps {
+            let operator = &grounding.task().operators[usize::from(step.operator)];
+            let mut after = State::new();
+            world
+                .execute(operator, &step.parameters, &state, &mut after)
+                .unwrap();
+            assert_eq!(after, step.state);
+            state = after;
+        }
+        let is_fixed = |place: u16| {
+            let operator = &grounding.task().operators[usize::from(place)];
+            World::<2>::parameters(&grounding.simulated(), operator).unwrap() == 0
+        };
+        for pair in sampler.skeletons.windows(2) {
+            let [(before, [_, last]), (places, [first, _])] = pair else {
+                unreachable!("pairs")
+            };
+            let common = before.iter().zip(places).take(*last);
+            let common = common.take_while(|(a, b)| a == b && is_fixed(**a)).count();
+            assert!(
+                *first >= common,
+                "{before:?} to {last}, {places:?} from {first}"
+            );
+            kept += common;
+        }
+    }
+    assert!(kept > 50, "{kept}");
 }
 
 #[test]

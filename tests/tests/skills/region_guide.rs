@@ -3,6 +3,7 @@
 
 use critreg::env::cluttered_table::{ClutteredTable, ClutteredTablePlace, GRASP, cans};
 use critreg::env::cover::{BLOCKS, Block, Cover, TARGETS, Target};
+use critreg::env::stick_button_move::StickButtonMove;
 use critreg::learn::version_space::Config as LearnerConfig;
 use critreg::plan::{Advice, Guide, Skeleton};
 use critreg::random::generator;
@@ -359,4 +360,59 @@ fn the_same_target_again_with_and_without_the_block_in_between() {
     );
     assert!(!judged(&[&[b0, t1], &[b0], &[b0, t1], &[b1], &[b1, t1]]));
     assert!(!judged(&[&[b0, t0], &[b0], &[b0, t1], &[b1], &[b1, t1]]));
+}
+
+/// An operator may end what it does not say to: no stick is above nothing once it was moved
+/// above a button. That is seen while skills are learned, and nothing is built on it.
+#[test]
+fn what_ends_without_being_said_to_is_seen() {
+    let environment = StickButtonMove;
+    let mut rng = generator(5);
+    let tasks: Vec<Task> = (0..20)
+        .map(|_| environment.task(1..=2, &mut rng).unwrap())
+        .collect();
+    let task = environment.task(2..=2, &mut rng).unwrap();
+    let grounding = Grounding::new(&environment, &task).unwrap();
+    let place = |name: &str, objects: &[ObjectId]| {
+        let mut all = grounding.operators.iter();
+        let found = all.position(|ground| {
+            let operator = environment.operator(ground).unwrap();
+            let objects = |ground: &GroundOperator| ground.objects.as_slice() == objects;
+            operator.name == name && objects(ground)
+        });
+        found.unwrap() as u16
+    };
+    let [first, second, holder, robot, stick] = [0, 1, 2, 3, 4].map(ObjectId);
+    let pick = place("PickStickFromNothing", &[robot, stick]);
+    let to_first = place("StickMoveToButtonFromNothing", &[robot, stick, first]);
+    let to_second = place("StickMoveToButtonFromNothing", &[robot, stick, second]);
+    let from_first = place(
+        "StickMoveToButtonFromButton",
+        &[robot, stick, second, first],
+    );
+    let put = place("PlaceStickFromNothing", &[robot, stick, holder]);
+    let put_from_first = place("PlaceStickFromButton", &[robot, stick, holder, first]);
+    let cases = [
+        (&[pick, to_first][..], true),
+        (&[pick, to_first, from_first], true),
+        (&[pick, to_first, put_from_first], true),
+        (&[pick, put], true),
+        (&[pick, to_first, to_second], false),
+        (&[pick, to_first, put], false),
+    ];
+    let mut skill_room = SkillRoom::default();
+    let mut skills = skill_room.lend(&environment).unwrap();
+    for observed in [false, true] {
+        if observed {
+            observe(&environment, &mut skills, &tasks, 10);
+            for index in 0..skills.iter().count() {
+                skills.get_mut(index).unwrap().set_region(None);
+            }
+        }
+        let mut guide = RegionGuide::new(&environment, &skills, &task.initial);
+        for (places, works) in cases {
+            let kept = is_kept(&mut guide, &grounding.operators, places);
+            assert_eq!(kept, works || !observed, "{places:?}, {observed}");
+        }
+    }
 }

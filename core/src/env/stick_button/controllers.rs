@@ -8,7 +8,7 @@ use super::{
     STICK_HEIGHT, STICK_TYPE, STICK_WIDTH, StickButton, TARGET_TOLERANCE, UPRIGHT,
 };
 use crate::env::float32;
-use crate::geometry::{Intersects, distance_squared};
+use crate::geometry::{Intersects, Rectangle, distance_squared};
 use crate::real::Real;
 use crate::task::{Controller, ControllerId, ObjectId, State, Terminal, always};
 
@@ -76,9 +76,7 @@ fn pick_stick(state: &State, objects: &[ObjectId], parameters: &[f64]) -> Option
     let ([robot, stick], [mu]) = (objects, parameters) else {
         return None;
     };
-    let along = STICK_WIDTH * f64::from(float32::read(*mu));
-    let stick = stick_shape(state.get(*stick)?);
-    let target = stick.frame.apply([along, STICK_HEIGHT / 2.0]);
+    let target = grasp(&stick_shape(state.get(*stick)?), *mu);
     Some(press_at(state.get(*robot)?, target))
 }
 
@@ -86,9 +84,7 @@ fn place_stick(state: &State, objects: &[ObjectId], parameters: &[f64]) -> Optio
     let ([robot, _], [offset]) = (objects, parameters) else {
         return None;
     };
-    let offset = f64::from(float32::read(*offset));
-    let [x, y, _] = *state.get(HOLDER)?;
-    let target = [x - HOLDER_HEIGHT / 2.0, y + offset * (STICK_WIDTH / 2.0)];
+    let target = release(state.get(HOLDER)?, *offset);
     Some(press_at(state.get(*robot)?, target))
 }
 
@@ -134,8 +130,26 @@ fn press_at(&[x, y, _]: &[f64; 3], target: [f64; 2]) -> Action {
     }
 }
 
-/// One step towards a target, each axis for itself.
-fn go([x, y]: [f64; 2], [target_x, target_y]: [f64; 2]) -> Action {
+/// One step towards a target.
+fn go(from: [f64; 2], to: [f64; 2]) -> Action {
+    let [dx, dy] = speeds(from, to);
+    [dx, dy, 0.0, -1.0]
+}
+
+/// The speeds of one step towards a target, each axis for itself.
+pub(in crate::env) fn speeds([x, y]: [f64; 2], [target_x, target_y]: [f64; 2]) -> [f32; 2] {
     let speed = |gap: f64| (Real::clamp(gap, -MAX_SPEED, MAX_SPEED) / MAX_SPEED) as f32;
-    [speed(target_x - x), speed(target_y - y), 0.0, -1.0]
+    [speed(target_x - x), speed(target_y - y)]
+}
+
+/// Where the hand goes to grasp the stick at this share of its width.
+pub(in crate::env) fn grasp(stick: &Rectangle<f64>, share: f64) -> [f64; 2] {
+    let along = STICK_WIDTH * f64::from(float32::read(share));
+    stick.frame.apply([along, STICK_HEIGHT / 2.0])
+}
+
+/// Where the hand goes to let go of the stick, for this parameter.
+pub(in crate::env) fn release(&[x, y, _]: &[f64; 3], offset: f64) -> [f64; 2] {
+    let offset = f64::from(float32::read(offset));
+    [x - HOLDER_HEIGHT / 2.0, y + offset * (STICK_WIDTH / 2.0)]
 }

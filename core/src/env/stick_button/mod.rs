@@ -23,15 +23,15 @@
 //! # Ok::<(), critreg::Error>(())
 //! ```
 
-mod controllers;
+pub(in crate::env) mod controllers;
 mod operators;
 mod pick;
 mod predicates;
 mod press;
-mod simulate;
+pub(in crate::env) mod simulate;
 mod skills;
-mod tasks;
-mod world;
+pub(in crate::env) mod tasks;
+pub(in crate::env) mod world;
 
 pub use controllers::{PICK_STICK, PLACE_STICK, ROBOT_PRESS_BUTTON, STICK_PRESS_BUTTON};
 pub use pick::PICK_STICK_FROM_NOTHING;

@@ -25,7 +25,7 @@ pub(super) fn simulate(angles: bool, values: &mut [f64], action: Action) -> Opti
 
     let [x, y, theta] = *world.robot;
     let robot = [x + dx, y + dy, theta + turn];
-    if !is_reachable(robot) {
+    if !is_reachable([x + dx, y + dy], TABLE_WIDTH) {
         return Some(());
     }
     let [mut sx, mut sy, mut stick_theta, mut held] = *world.stick;
@@ -54,9 +54,9 @@ pub(super) fn simulate(angles: bool, values: &mut [f64], action: Action) -> Opti
     Some(())
 }
 
-/// Whether the whole robot is in the zone that it can reach.
-fn is_reachable([x, y, _]: [f64; 3]) -> bool {
-    (ROBOT_RADIUS..=TABLE_WIDTH - ROBOT_RADIUS).contains(&x)
+/// Whether the whole robot is in the zone that it can reach, of a table of this width.
+pub(in crate::env) fn is_reachable([x, y]: [f64; 2], width: f64) -> bool {
+    (ROBOT_RADIUS..=width - ROBOT_RADIUS).contains(&x)
         && (ROBOT_RADIUS..=ZONE_HEIGHT - ROBOT_RADIUS).contains(&y)
 }
 
@@ -70,8 +70,8 @@ fn turn_about(pivot: [f64; 2], turn: f64, [x, y, theta]: [f64; 3]) -> [f64; 3] {
     [x, y, Real::atan2(end_y - y, end_x - x)]
 }
 
-/// What a press does to the stick.
-enum Push {
+/// What a push with the hand does to the stick.
+pub(in crate::env) enum Push {
     Nothing,
     Pick,
     Release,
@@ -80,7 +80,12 @@ enum Push {
 
 /// A held stick is released on the holder, where it is; a free one is picked if
 /// the hand does not collide with the holder.
-fn push(was_held: bool, hand: &Circle<f64>, stick: &Rectangle<f64>, holder: &[f64; 3]) -> Push {
+pub(in crate::env) fn push(
+    was_held: bool,
+    hand: &Circle<f64>,
+    stick: &Rectangle<f64>,
+    holder: &[f64; 3],
+) -> Push {
     if was_held {
         if stick.intersects(&holder_shape(holder)) {
             Push::Release
@@ -97,7 +102,7 @@ fn push(was_held: bool, hand: &Circle<f64>, stick: &Rectangle<f64>, holder: &[f6
 }
 
 /// Presses every button under the tip, or under the hand if it was empty.
-fn press_buttons(
+pub(in crate::env) fn press_buttons(
     was_held: bool,
     hand: &Circle<f64>,
     stick: &Rectangle<f64>,

@@ -20,7 +20,7 @@ pub const MAX_BUTTONS: usize = 10;
 
 /// How far robot, buttons and the edges of the table keep apart: the radius of
 /// the circles around them that must not meet.
-const SPACING: f64 = ROBOT_RADIUS + 0.5;
+pub(in crate::env) const SPACING: f64 = ROBOT_RADIUS + 0.5;
 // Robot and buttons have one spacing because they have one radius.
 const _: () = assert!(ROBOT_RADIUS == BUTTON_RADIUS);
 
@@ -81,6 +81,32 @@ impl StickButton {
         buttons: RangeInclusive<usize>,
         rng: &mut G,
     ) -> Result<Arrangement, Error> {
+        let table = Table {
+            width: TABLE_WIDTH,
+            is_button_free: |_| true,
+            angles: self.angles,
+        };
+        table.arrange(buttons, rng)
+    }
+}
+
+/// What the variants of the environment differ in.
+pub(in crate::env) struct Table {
+    /// Size along x.
+    pub(in crate::env) width: f64,
+    /// Whether a button may lie at this y.
+    pub(in crate::env) is_button_free: fn(f64) -> bool,
+    /// Whether things lie at any angle.
+    pub(in crate::env) angles: bool,
+}
+
+impl Table {
+    /// See [`StickButton::arrange`].
+    pub(in crate::env) fn arrange<G: Rng>(
+        &self,
+        buttons: RangeInclusive<usize>,
+        rng: &mut G,
+    ) -> Result<Arrangement, Error> {
         let (least, most) = buttons.into_inner();
         if least < 1 || most < least || most > MAX_BUTTONS {
             return Err(Error::InvalidArgument(
@@ -92,12 +118,12 @@ impl StickButton {
         let mut taken: Vec<Circle<f64>, { MAX_BUTTONS + 1 }> = Vec::new();
         let mut buttons: Vec<[f64; 3], MAX_BUTTONS> = Vec::new();
         for _ in 0..count {
-            let circle = free_circle(TABLE_HEIGHT, &taken, rng)?;
+            let circle = self.free_circle(TABLE_HEIGHT, self.is_button_free, &taken, rng)?;
             let [x, y] = circle.centre;
             taken.push(circle).map_err(|_| NO_ROOM)?;
             buttons.push([x, y, 0.0]).map_err(|_| NO_ROOM)?;
         }
-        let circle = free_circle(ZONE_HEIGHT, &taken, rng)?;
+        let circle = self.free_circle(ZONE_HEIGHT, |_| true, &taken, rng)?;
         taken.push(circle).map_err(|_| NO_ROOM)?;
         let [x, y] = circle.centre;
         let robot = [x, y, self.angle(rng)];
@@ -123,12 +149,35 @@ impl StickButton {
     /// A stick that meets none of the circles.
     fn free_stick<G: Rng>(&self, taken: &[Circle<f64>], rng: &mut G) -> Result<[f64; 4], Error> {
         for _ in 0..MAX_DRAWS {
-            let x = uniform_in(rng, SPACING, TABLE_WIDTH - SPACING);
+            let x = uniform_in(rng, SPACING, self.width - SPACING);
             let y = uniform_in(rng, SPACING, HIGHEST_STICK);
             let stick = [x, y, self.angle(rng), 0.0];
             let shape = stick_shape(&stick);
             if !taken.iter().any(|circle| shape.intersects(circle)) {
                 return Ok(stick);
+            }
+        }
+        Err(NO_ROOM)
+    }
+
+    /// A circle in the lower part of the table, up to `top`, at a free y, that meets none
+    /// of the others.
+    fn free_circle<G: Rng>(
+        &self,
+        top: f64,
+        is_free: impl Fn(f64) -> bool,
+        taken: &[Circle<f64>],
+        rng: &mut G,
+    ) -> Result<Circle<f64>, Error> {
+        for _ in 0..MAX_DRAWS {
+            let x = uniform_in(rng, SPACING, self.width - SPACING);
+            let y = uniform_in(rng, SPACING, top - SPACING);
+            let circle = Circle {
+                centre: [x, y],
+                radius: SPACING,
+            };
+            if is_free(y) && !taken.iter().any(|other| circle.intersects(other)) {
+                return Ok(circle);
             }
         }
         Err(NO_ROOM)
@@ -148,23 +197,6 @@ fn press_all(world: &World<'_>) -> Result<Task, Error> {
             .map_err(|_| Error::CapacityExceeded("atoms of a goal"))?;
     }
     Ok(Task { initial, goal })
-}
-
-/// A circle in the lower part of the table, up to `top`, that meets none of the
-/// others.
-fn free_circle<G: Rng>(top: f64, taken: &[Circle<f64>], rng: &mut G) -> Result<Circle<f64>, Error> {
-    for _ in 0..MAX_DRAWS {
-        let x = uniform_in(rng, SPACING, TABLE_WIDTH - SPACING);
-        let y = uniform_in(rng, SPACING, top - SPACING);
-        let circle = Circle {
-            centre: [x, y],
-            radius: SPACING,
-        };
-        if !taken.iter().any(|other| circle.intersects(other)) {
-            return Ok(circle);
-        }
-    }
-    Err(NO_ROOM)
 }
 
 /// The pose of a holder under the stick that leaves room for a grasp from which

@@ -107,12 +107,12 @@ impl<'a> WorldMut<'a> {
 }
 
 /// A flag attribute as a truth value.
-pub(super) fn is_set(flag: f64) -> bool {
+pub(in crate::env) fn is_set(flag: f64) -> bool {
     flag > 0.5
 }
 
 /// The robot's disc.
-pub(super) fn robot_shape(&[x, y, _]: &[f64; 3]) -> Circle<f64> {
+pub(in crate::env) fn robot_shape(&[x, y, _]: &[f64; 3]) -> Circle<f64> {
     Circle {
         centre: [x, y],
         radius: ROBOT_RADIUS,
@@ -120,7 +120,7 @@ pub(super) fn robot_shape(&[x, y, _]: &[f64; 3]) -> Circle<f64> {
 }
 
 /// A button's disc.
-pub(super) fn button_shape(&[x, y, _]: &[f64; 3]) -> Circle<f64> {
+pub(in crate::env) fn button_shape(&[x, y, _]: &[f64; 3]) -> Circle<f64> {
     Circle {
         centre: [x, y],
         radius: BUTTON_RADIUS,
@@ -128,12 +128,12 @@ pub(super) fn button_shape(&[x, y, _]: &[f64; 3]) -> Circle<f64> {
 }
 
 /// The stick's rectangle.
-pub(super) fn stick_shape(&[x, y, theta, _]: &[f64; 4]) -> Rectangle<f64> {
+pub(in crate::env) fn stick_shape(&[x, y, theta, _]: &[f64; 4]) -> Rectangle<f64> {
     Rectangle::new([x, y], [STICK_WIDTH, STICK_HEIGHT], theta)
 }
 
 /// The tip of a stick.
-pub(super) fn tip_shape(stick: &Rectangle<f64>) -> Rectangle<f64> {
+pub(in crate::env) fn tip_shape(stick: &Rectangle<f64>) -> Rectangle<f64> {
     Rectangle {
         frame: stick.frame.shifted([STICK_WIDTH - TIP_WIDTH, 0.0]),
         width: TIP_WIDTH,
@@ -142,6 +142,6 @@ pub(super) fn tip_shape(stick: &Rectangle<f64>) -> Rectangle<f64> {
 }
 
 /// The holder's rectangle.
-pub(super) fn holder_shape(&[x, y, theta]: &[f64; 3]) -> Rectangle<f64> {
+pub(in crate::env) fn holder_shape(&[x, y, theta]: &[f64; 3]) -> Rectangle<f64> {
     Rectangle::new([x, y], [HOLDER_WIDTH, HOLDER_HEIGHT], theta)
 }

@@ -7,9 +7,14 @@ use crate::error::Error;
 use crate::plan::{Advice, Guide, Skeleton};
 use crate::random::generator;
 use crate::skill::changes::Changes;
-use crate::skill::setting::Setting;
+use crate::skill::setting::{Said, Setting};
 use crate::skill::skills::{Known, Skills};
-use crate::task::State;
+use crate::table::gather;
+use crate::task::{GroundAtom, State};
+use heapless::Vec;
+
+/// Atoms that ended without being said to, of which is known at once.
+const MAX_ENDED: usize = 16;
 
 /// A region guide: it keeps the search of a bilevel planner from sequences of operators
 /// that cannot work, for all that was learned (sequential feasibility, thesis 7.2).
@@ -68,8 +73,40 @@ impl<'a, E: Setting> RegionGuide<'a, E> {
         now
     }
 
+    /// Whether the last operator of a sequence needs an atom that one before it is known to
+    /// end, although it does not say so.
+    fn misses_atom<const N: usize>(&self, prefix: Skeleton<'_, N>) -> bool {
+        let mut ended: Vec<GroundAtom, MAX_ENDED> = Vec::new();
+        let mut misses = false;
+        for ground in prefix.iter() {
+            let own = self.knowledge.controller(ground);
+            let changes = own.map(|own| Changes::of(self.changes, own.id));
+            let mut now: Vec<GroundAtom, MAX_ENDED> = Vec::new();
+            let mut added: Vec<GroundAtom, MAX_ENDED> = Vec::new();
+            misses = false;
+            let (environment, objects) = (self.knowledge.environment, ground.objects);
+            environment.visit_atoms(ground.operator, objects.as_slice(), &mut |said, atom| {
+                misses |= said != Said::Added && ended.contains(&atom);
+                let ends = said == Said::Stays
+                    && changes.is_some_and(|changes| changes.ends(atom.predicate));
+                // What finds no room is not known.
+                if said == Said::Added {
+                    let _ = added.push(atom);
+                } else if ends {
+                    let _ = now.push(atom);
+                }
+            });
+            let all = now.iter().chain(&ended);
+            ended = gather(all.filter(|atom| !added.contains(atom)).copied());
+        }
+        misses
+    }
+
     /// Whether the last operator of a sequence cannot work.
     fn is_blocked<const N: usize>(&self, prefix: Skeleton<'_, N>) -> Result<bool, Error> {
+        if self.misses_atom(prefix) {
+            return Ok(true);
+        }
         for step in (0..prefix.len()).filter(|step| self.is_known(prefix, *step)) {
             let now = self.expected(prefix.until(step));
             let steps = prefix.from(step);

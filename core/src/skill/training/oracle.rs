@@ -9,7 +9,7 @@ use crate::skill::changes::Changes;
 use crate::skill::context::Context;
 use crate::skill::effects::{Runs, terms};
 use crate::skill::planning::{RegionSampler, completed};
-use crate::skill::setting::{Practice, Setting};
+use crate::skill::setting::{Practice, Said, Setting};
 use crate::skill::skills::{Library, Skill, Skills};
 use crate::skill::tuning::TRIES;
 use crate::task::{GroundOperator, MAX_STATE_VALUES, State};
@@ -165,6 +165,7 @@ impl<'a, E: Practice> Oracle<'a, E> {
         let (controller, objects) = environment.call(ground.operator, ground.objects.as_slice())?;
         if let Some(changes) = self.changes.get_mut(usize::from(controller.0)) {
             changes.observe(objects.as_slice(), state, &after);
+            observe_atoms(environment, ground, &after, changes)?;
         }
         if let Some(watched) = self.watched.as_mut().filter(|_| step == 0) {
             watched.note(environment, situation, &parameters, &after)?;
@@ -204,6 +205,28 @@ impl<'a, E: Practice> Oracle<'a, E> {
             }
         }
     }
+}
+
+/// Notes which atoms that an operator needs still hold after it, of those that it does not
+/// say to end.
+fn observe_atoms(
+    environment: &impl Practice,
+    ground: &GroundOperator,
+    after: &State,
+    changes: &mut Changes,
+) -> Result<(), Error> {
+    let mut result = Ok(());
+    environment.visit_atoms(
+        ground.operator,
+        ground.objects.as_slice(),
+        &mut |said, atom| {
+            if said == Said::Stays && result.is_ok() {
+                let holds = environment.holds(&atom, after);
+                result = holds.map(|holds| changes.observe_atom(atom.predicate, holds));
+            }
+        },
+    );
+    result
 }
 
 /// Whether the controller of an operator has parameters.

@@ -144,18 +144,18 @@ impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
     }
 
     /// The shortest sequence from an operator to one of a later controller, with what it
-    /// needs in between. What comes in between leaves the operator's objects alone, so
-    /// that its parameters still matter in the end.
+    /// needs in between. What comes in between leaves the operator's objects alone or has no
+    /// parameters, so that those of the operator still matter in the end.
     fn chain(&self, before: AtomSet, own: &GroundOperator, later: ControllerId) -> Option<Chain> {
         let last = |state: AtomSet| {
             let mut all = self.of(later, self.candidate.later_objects);
             all.find(|last| last.is_applicable(state))
         };
         let between = |state: AtomSet| {
-            let is_apart = move |ground: &&GroundOperator| {
-                ground.is_applicable(state) && !self.share_objects(ground, own)
+            let follows = move |ground: &&GroundOperator| {
+                ground.is_applicable(state) && !self.decides_anew(ground, own)
             };
-            self.operators.iter().filter(is_apart)
+            self.operators.iter().filter(follows)
         };
         let start = own.apply(before);
         if let Some(last) = last(start) {
@@ -184,14 +184,18 @@ impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
         }
     }
 
-    /// Whether the controllers of two operators have an object in common.
-    fn share_objects(&self, first: &GroundOperator, second: &GroundOperator) -> bool {
-        let objects = |ground| controller_objects(self.environment, ground);
-        let (Ok(first), Ok(second)) = (objects(first), objects(second)) else {
+    /// Whether the parameters of an operator count instead of those of an earlier one, as it
+    /// handles an object of that one.
+    fn decides_anew(&self, later: &GroundOperator, earlier: &GroundOperator) -> bool {
+        let (Ok(parameters), Ok(later), Ok(earlier)) = (
+            self.world().parameters(later),
+            controller_objects(self.environment, later),
+            controller_objects(self.environment, earlier),
+        ) else {
             return true;
         };
-        let mut all = first.as_slice().iter();
-        all.any(|object| second.as_slice().contains(object))
+        let mut all = later.as_slice().iter();
+        parameters > 0 && all.any(|object| earlier.as_slice().contains(object))
     }
 }
 

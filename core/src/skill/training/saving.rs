@@ -22,7 +22,7 @@ use crate::skill::skills::{Skill, Skills};
 use crate::wire::{Reader, Writer};
 
 const MAGIC: &[u8; 4] = b"CRSK";
-const VERSION: u16 = 2;
+const VERSION: u16 = 3;
 const WHAT: &str = "bytes for saved skills";
 
 /// What was learned so far, to be saved or to go on from.
