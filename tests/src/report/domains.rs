@@ -42,8 +42,8 @@ pub const NAMES: [&str; 10] = [
     "negative_control",
 ];
 
-/// How much is tried: at most a dozen tasks, and so many questions that the controllers
-/// run for one operator are at most 250.
+/// How much is tried: at most 40 tasks, and so many questions that the controllers run for one
+/// operator are at most 250.
 pub fn training() -> Training {
     Training {
         learner: critreg::learn::version_space::Config {
