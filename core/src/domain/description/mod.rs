@@ -169,6 +169,25 @@ mod tests {
     }
 
     #[test]
+    fn a_heading_is_an_angle_of_what_has_a_place() {
+        let turns = |attributes: &str| {
+            let text = std::format!("object a {{ {attributes} }} parameter p in [0, 1]: length");
+            let domain = Domain::parse(&text).unwrap();
+            let last = domain.instance_len() as u8 - 1;
+            assert_eq!(domain.has_headings(), domain.places(last), "{attributes}");
+            domain.places(last)
+        };
+        for name in ["theta", "yaw", "pitch", "roll"] {
+            assert!(turns(&std::format!("x: length, y: length, {name}: angle")));
+            assert!(!turns(&std::format!(
+                "x: length, y: length, {name}: length"
+            )));
+            assert!(!turns(&std::format!("x: length, {name}: angle")));
+            assert!(!turns(&std::format!("hold: length, {name}: length")));
+        }
+    }
+
+    #[test]
     fn shapes_add_key_points() {
         let domain = Domain::parse(
             "object a { x: length, y: length } shape a = rectangle(2, 1)
