@@ -154,6 +154,8 @@ mod tests {
             ("parameter x in [0, 1];", "end without `;`"),
             ("shape a = box(1, 2, 3) centered", "the word is `centred`"),
             ("point p = a turned 2*pi", "turned (2*a)"),
+            ("constant c = 5 deg: angle", "write 5*pi/180"),
+            ("parameter p in [-90°, 90°]: angle", "write 5*pi/180"),
         ];
         for (line, hint) in cases {
             let Err(Error::Syntax(at)) = Domain::parse(&with(line)) else {
