@@ -290,12 +290,26 @@
  *     path      = name { "." name } ;
  *     name      = ( letter | "_" ) { letter | digit | "_" } ;
  *
- * An object with the attributes x and y (and z, theta or yaw, pitch, roll) is a
- * point as well. An offset is along the axes of the frame, after the turn. The
+ * No name is a word of the language: those of statements (type, object, constant,
+ * parameter, shape, point, feature, compare, relate), in, turned, world, rounded, centred,
+ * and, or, not, true, pi, symmetry, line, sweep, and all before "(" in extreme, call and
+ * relation, as min, off or corner. Solids and dimensions are no such words: an object may be
+ * a box, and an attribute may have any name.
+ *
+ * An object with the attributes x and y (and z, and the angles theta or yaw, pitch, roll) is
+ * a point as well. An offset is along the axes of the frame, after the turn. The
  * corner of a rectangle is its object's position unless it is centred; a circle or a
  * rectangle of constant sizes on an object adds the points left, right, bottom, top and,
  * for rectangles, centre. Offsets, turns and sizes are made of numbers, constants,
- * attributes and parameters. Only quantities of one dimension are added and compared.
+ * attributes and parameters. "rounded r" grows a rectangle, a box or a segment by r on all
+ * sides, as if a ball of that radius went around it: a plate of 0.2 rounded 0.01 is 0.22 wide.
+ *
+ * Only quantities of one dimension are added and compared. Lengths are in one unit for the
+ * whole text, angles in radians. A flag is 0 or 1, and true above 0.5. Whatever else has no
+ * word is "none", as a ratio, a mass, a speed, a force or a volume: numbers that are all
+ * compared with each other. A product of two lengths is an area, of an angle and a length a
+ * length (an arc), and plain numbers and flags scale. For other products, as a volume, there
+ * is no word: they fit every number.
  *
  * The angle of two headings is in [0, pi]. Where one of them belongs to a thing that looks
  * the same after a turn by 2*pi/n, for a whole n from 2 to 12, angle(a, b, pi), as of a bar,
@@ -338,8 +352,8 @@
  * body, of which no constraint holds; an absent member of a group is passed over.
  *
  * A group, as in "object obstacle[6]: block", is any number of objects of one type,
- * up to six. An instance has the numbers of all six; each number of a member that
- * is absent is NAN. A shape or point of a group is one of each member. Nothing is
+ * up to the one in brackets (see Limits). An instance has the numbers of all six; each
+ * number of a member that is absent is NAN. A shape or point of a group is one of each member. Nothing is
  * said of a single member, but min(...) and max(...) are the least and the greatest
  * value over the members that are there: "min(dist(hand, obstacle)) >= 0.2" holds
  * if the hand is clear of every obstacle, also if there is none. So one region
@@ -361,7 +375,8 @@
  * objects, 8 groups, 255 numbers of an instance, 32 constants, 6 parameters, 64
  * points of which 8 depend on a parameter, 16 shapes with key points, 24 bodies, 4 names
  * for up to 6 bodies each, 8 features. Every member of a group counts as an object, with its own
- * numbers, points and bodies. A region can refer to 32 points, with those they are placed
+ * numbers, points and bodies, so that a group has up to 32 members if it is all there is. A
+ * point that moves with a parameter cannot be placed in a group, but in a single object. A region can refer to 32 points, with those they are placed
  * in. A text without an attribute of an object and without a parameter is refused: there is
  * nothing to learn then.
  *

@@ -38,6 +38,13 @@ def training(scenario, seed):
     return [scenario.instance(rng) for _ in range(scenario.instances)]
 
 
+def room_for_demonstrations(scenario):
+    """They are told beside what is asked."""
+    if not scenario.demonstrations:
+        return {}
+    return {"observations": scenario.calls + scenario.demonstrations + 2}
+
+
 def make_learner(scenario, seed, options):
     """A fresh learner for a scenario."""
     learner = critreg.Learner(
@@ -48,6 +55,7 @@ def make_learner(scenario, seed, options):
         forms=options.forms,
         steps=scenario.steps,
         noise=scenario.noise,
+        **room_for_demonstrations(scenario),
     )
     parameters = learner.domain.parameters
     if not len(parameters) == len(scenario.lo) == len(scenario.hi):

@@ -207,8 +207,9 @@ impl Body {
     }
 }
 
-/// The slots of an object's attributes that place it in the world: `x y z` and
-/// `theta` (or `yaw`), `pitch`, `roll`.
+/// The slots of an object's attributes that place it in the world: `x y z`, and of what has
+/// `x` and `y` the angles `theta` (or `yaw`), `pitch`, `roll`. The pitch of a thread is a
+/// length, and turns nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct PoseSlots {
     pub(crate) position: [Option<u8>; 3],
@@ -222,17 +223,25 @@ impl PoseSlots {
         for (attribute, slot) in attributes.iter().zip(first_slot..) {
             let [x, y, z] = &mut pose.position;
             let [yaw, pitch, roll] = &mut pose.angles;
-            let place = match attribute.name {
-                "x" => x,
-                "y" => y,
-                "z" => z,
-                "theta" | "yaw" => yaw,
-                "pitch" => pitch,
-                "roll" => roll,
+            let place = match (attribute.name, attribute.dimension) {
+                ("x", _) => x,
+                ("y", _) => y,
+                ("z", _) => z,
+                ("theta" | "yaw", Dimension::Angle) => yaw,
+                ("pitch", Dimension::Angle) => pitch,
+                ("roll", Dimension::Angle) => roll,
                 _ => continue,
             };
             *place = Some(slot);
         }
+        if !pose.has_place() {
+            pose.angles = [None; 3];
+        }
         pose
+    }
+
+    /// Whether it makes a point.
+    pub(super) fn has_place(&self) -> bool {
+        matches!(self.position, [Some(_), Some(_), _])
     }
 }

@@ -5,13 +5,15 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u8)]
 pub enum Dimension {
-    /// A plain ratio, such as a position along an object in `[0, 1]`.
+    /// Whatever there is no other word for: a plain ratio, such as a position along an object
+    /// in `[0, 1]`, a mass, a speed, a force, a volume.
     None,
     /// True above 0.5, false otherwise.
     Flag,
     /// A length; one unit for the whole domain.
     Length,
-    /// An angle in radians; differences are taken on the circle.
+    /// An angle in radians, so that times a length it is a length; differences are taken on
+    /// the circle.
     Angle,
     /// A product of two lengths.
     Area,

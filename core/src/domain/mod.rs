@@ -49,7 +49,11 @@
 //! name      = ( letter | "_" ) { letter | digit | "_" } ;
 //! ```
 //!
-//! An object whose type has the attributes `x` and `y` (and `z`, `theta` or
+//! No name is a word of the language: one of a statement, a function or a line, `in`, `turned`,
+//! `world`, `rounded`, `centred`, `symmetry`, `pi`, `and`, `or`, `not` or `true`. Those of
+//! solids and dimensions may be names, and an attribute may have any name.
+//!
+//! An object whose type has the attributes `x` and `y` (and `z`, and the angles `theta` or
 //! `yaw`, `pitch`, `roll`) is a point as well. The corner of a `rectangle` is the
 //! object's position unless it is `centred`; a circle or a rectangle of constant sizes on an
 //! object adds the key points `left`, `right`, `bottom`, `top` and, for rectangles, `centre`
@@ -98,6 +102,8 @@
 //! are said of it, and it may be the second body of `clear` only. A name whose shape is `none`
 //! is only there for others to be placed in: learners say nothing of how it lies to things.
 //!
+//! `rounded r` grows a solid by `r` on all sides.
+//!
 //! A point without a shape is a body without extent. A size below zero is that of an absent
 //! body, of which no constraint holds.
 //!
@@ -106,8 +112,9 @@
 //! Whoever knows a law writes it down once: `feature slide = v*v / (2*9.81*ground.mu): length`
 //! is compared as any other feature of the grammar, before all others, and regions call it by
 //! its name. What a product or a quotient measures is what the text says; without, it follows
-//! from the factors, and where there is no word for it, as for a mass divided by a length, it
-//! fits every number. `compare hand.x, slide` says that these, and the features with a name, are all
+//! from the factors: a length times a length is an area, an angle times a length a length, as
+//! angles are in radians, and flags and plain numbers scale. Where there is no word for it, as
+//! for a volume or a mass divided by a length, it fits every number. `compare hand.x, slide` says that these, and the features with a name, are all
 //! that is compared, and `relate gripper, can` that relations between points and bodies are
 //! enumerated of these only.
 //!

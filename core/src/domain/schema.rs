@@ -258,6 +258,13 @@ impl<'t> Domain<'t> {
             || self.points.iter().any(|point| point.turn != [None; 3])
     }
 
+    /// Whether a parameter turns a point.
+    pub(crate) fn turns_points(&self, parameter: u8) -> bool {
+        let bit = 1u32.checked_shl(parameter.into()).unwrap_or(0);
+        let mut turns = self.points.iter().flat_map(|point| point.turn).flatten();
+        turns.any(|id| self.parameters_of(&self.nodes, id) & bit != 0)
+    }
+
     /// Whether the direction of a point is given: by an angle of its object, or a turn.
     pub(crate) fn is_oriented(&self, point: u8) -> bool {
         let mut next = Some(point);

@@ -23,7 +23,7 @@ impl<R: Real> Features<'_, R> {
     /// | `off(cup, nozzle)`, `angle(cup, hand, base)` | by how much something is off a direction |
     /// | `hand.x + hand.y`, `hand.x - hand.y` | on which side of a diagonal |
     /// | `min(dist(hand, post) - 0.5*post.width)` | clear of members of different sizes |
-    /// | `mu * stick.length` | a share of a size |
+    /// | `mu * stick.length`, `turn*drum.radius` | a share of a size, an arc |
     /// | `part.width` | a condition on the scene alone |
     /// | `dist_x(foot, pad)/dist_y(foot, pad)` | how steep it is from one thing to another |
     /// | `dist(hand, base)*load.mass`, `v*v/(ground.mu*goal.far)` | a law: products and quotients of up to four numbers |
@@ -146,13 +146,15 @@ impl<R: Real> Features<'_, R> {
         }
     }
 
-    /// Parameters times sizes.
+    /// Parameters times sizes, and arcs: angles that turn no point times lengths.
     fn derive_shares(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
         for (p, parameter) in (0u8..).zip(domain.parameters()) {
             for (slot, dimension) in sizes(domain) {
-                let plain = [parameter.dimension, dimension].contains(&Dimension::None);
+                let pair = [parameter.dimension, dimension];
+                let arc = pair == [Dimension::Angle, Dimension::Length] && !domain.turns_points(p);
+                let share = pair.contains(&Dimension::None) && dimension != Dimension::Flag;
                 let node = Node::Quantity(Quantity::Attribute(slot));
-                if !plain || dimension == Dimension::Flag {
+                if !share && !arc {
                     continue;
                 }
                 if let (Some(a), Some(b)) = (self.operand(Node::Parameter(p)), self.operand(node)) {

@@ -32,9 +32,12 @@ impl Kind {
             Kind::Place(axis) => Some(axis),
             _ => None,
         };
-        let sized = || match domain.dimension(nodes, id) {
-            Some(dimension) => Kind::Size(dimension),
-            None => Kind::Other,
+        let sized = || match (domain.dimension(nodes, id), node) {
+            (Some(dimension), _) => Kind::Size(dimension),
+            (None, Node::Number(_)) => Kind::Other,
+            // There is no word for it, so that the text gives what it is compared with as a
+            // plain number: the volume of a bag.
+            (None, _) => Kind::Size(Dimension::None),
         };
         let quantity = match *node {
             Node::Quantity(quantity) | Node::Extreme(_, quantity) => Some(quantity),

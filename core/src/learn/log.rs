@@ -22,7 +22,7 @@
 
 use super::problem::{Begun, Problem};
 use super::question::{PURPOSE, Purpose, Question, State, Trial};
-use super::{Learner, Outcome, Query};
+use super::{Learner, OBSERVATIONS_FULL, Outcome, Query};
 use crate::domain::MAX_PARAMETERS;
 use crate::error::Error;
 use crate::region::Theta;
@@ -240,7 +240,7 @@ pub fn resume<L: Learner + ?Sized>(
     let (since, count) = (reader.u16()?, reader.u32()?);
     let (asked, dropped, trials) = (reader.u32()?, reader.u32()?, reader.u32()?);
     if usize::try_from(count).map_or(true, |count| count > learner.room()) {
-        return Err(Error::CapacityExceeded("observations"));
+        return Err(OBSERVATIONS_FULL);
     }
     or_restart(learner, problem, |learner| {
         for _ in 0..count {

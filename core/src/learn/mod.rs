@@ -219,6 +219,14 @@ pub trait Learner {
     fn fingerprint(&self) -> u32;
 }
 
+/// Of what there is no room for more when a learner was told as much as it can keep, and what
+/// to do about it.
+pub(crate) const OBSERVATIONS: &str = "observations; reserve as many as it will be told, with \
+    critreg_config.observations in C and the option `observations` in Python";
+
+/// The error of a learner that was told as much as it can keep.
+pub const OBSERVATIONS_FULL: Error = Error::CapacityExceeded(OBSERVATIONS);
+
 /// The questions whose answers a learner waits for, in the order in which they were asked:
 /// to hand them out again after a run was resumed.
 pub fn open_questions(learner: &(impl Learner + ?Sized)) -> impl Iterator<Item = Question> {

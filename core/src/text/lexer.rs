@@ -206,7 +206,8 @@ impl<'t> Lexer<'t> {
 
 /// What is said in place of an error where a text goes on as other languages do.
 fn hint(rest: &str) -> Option<&'static str> {
-    const HINTS: [(&str, &str); 9] = [
+    const RADIANS: &str = "angles are in radians: write 5*pi/180 for 5 degrees";
+    const HINTS: [(&str, &str); 10] = [
         ("//", "a comment begins with #"),
         ("/*", "a comment begins with # and ends with the line"),
         (";", "statements end without `;`"),
@@ -219,7 +220,12 @@ fn hint(rest: &str) -> Option<&'static str> {
         ("&&", "write `and`"),
         ("||", "write `or`"),
         ("centered", "the word is `centred`"),
+        ("°", RADIANS),
     ];
+    let letters = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+    if let Some("deg" | "degree" | "degrees") = rest.get(..letters) {
+        return Some(RADIANS);
+    }
     let found = HINTS.iter().find(|(sign, _)| rest.starts_with(sign));
     found.map(|(_, hint)| *hint)
 }

@@ -74,10 +74,16 @@ impl fmt::Display for Words<'_, '_> {
             written.ok()
         });
         let count = left_out.count;
-        write!(f, "; {count} things to compare found no room")?;
+        write!(
+            f,
+            " (of what could be compared, {count} things found no room"
+        )?;
         if first.is_some() {
             write!(f, ", the first is {name}")?;
         }
-        f.write_str(": lend memory for more forms")
+        f.write_str(
+            ": lend memory for more forms, or let the text say less by `shape X = none` for points \
+             that others are placed in, relate or compare, or name a feature)",
+        )
     }
 }

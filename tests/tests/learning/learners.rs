@@ -4,7 +4,9 @@ use critreg::Error;
 use critreg::domain::{Domain, Node, NodeId, PointSet, Sample, Scene};
 use critreg::grammar::{Comparison, Features, Hypotheses};
 use critreg::learn::algorithm1::Config;
-use critreg::learn::{Algorithm1, Learner, Outcome, Problem, Query, resume, save, saved_len};
+use critreg::learn::{
+    Algorithm1, Learner, OBSERVATIONS_FULL, Outcome, Problem, Query, resume, save, saved_len,
+};
 use critreg_tests::room::Algorithm1Room;
 use critreg_tests::{arm, pick};
 use proptest::prelude::*;
@@ -352,7 +354,7 @@ fn a_full_log_is_an_answer() {
     let before = region_text(&learner, &domain);
     let query = learner.ask(&problem).unwrap();
     let told = learner.tell(&problem, Outcome::FailedStep(1));
-    assert_eq!(told, Err(Error::CapacityExceeded("observations")));
+    assert_eq!(told, Err(OBSERVATIONS_FULL));
     assert_eq!(region_text(&learner, &domain), before);
     assert_eq!(learner.ask(&problem).unwrap(), query);
 }

@@ -13,6 +13,7 @@ mod left_out;
 mod membership;
 mod noise;
 mod observing;
+mod on_the_way;
 mod proposals;
 mod questions;
 mod shelf;

@@ -4,7 +4,9 @@ use crate::shelf::{SHELF, fits, go_on, room, saved, shelves};
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config};
-use critreg::learn::{Learner, Outcome, Problem, Question, VersionSpace, open_questions, resume};
+use critreg::learn::{
+    Learner, OBSERVATIONS_FULL, Outcome, Problem, Question, VersionSpace, open_questions, resume,
+};
 use critreg::random::{below, generator};
 use critreg_tests::pick;
 use critreg_tests::room::{Algorithm1Room, VersionSpaceRoom};
@@ -183,7 +185,7 @@ fn no_answer_is_lost_for_want_of_room() {
         for question in questions[1..11].iter().rev() {
             answer(learner, problem, question);
         }
-        let full = Err(Error::CapacityExceeded("observations"));
+        let full = Err(OBSERVATIONS_FULL);
         let first = questions[0];
         assert_eq!(learner.tell_id(problem, first.id, Outcome::Feasible), full);
         assert_eq!(

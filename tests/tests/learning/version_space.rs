@@ -4,8 +4,8 @@ use critreg::Error;
 use critreg::domain::Domain;
 use critreg::learn::version_space::{Capacity, Config, Evidence, Quality, Why};
 use critreg::learn::{
-    Learner, Observation, Outcome, Problem, Query, VersionSpace, learn_region, resume, save,
-    saved_len,
+    Learner, OBSERVATIONS_FULL, Observation, Outcome, Problem, Query, VersionSpace, learn_region,
+    resume, save, saved_len,
 };
 use critreg::random::{generator, uniform, uniform_in};
 use critreg::region::Region;
@@ -481,7 +481,7 @@ fn a_full_log_changes_nothing() {
     let region = text::of_region(&domain, learner.region().unwrap());
     for outcome in [Outcome::Feasible, Outcome::FailedStep(1), Outcome::Unknown] {
         let told = learner.tell(&problem, outcome);
-        assert_eq!(told, Err(Error::CapacityExceeded("observations")));
+        assert_eq!(told, Err(OBSERVATIONS_FULL));
         assert_eq!(learner.ask(&problem).unwrap(), query);
         assert_eq!(learner.report(), report);
         assert_eq!(text::of_region(&domain, learner.region().unwrap()), region);

@@ -155,6 +155,8 @@ mod tests {
             ("parameter x in [0, 1];", "end without `;`"),
             ("shape a = box(1, 2, 3) centered", "the word is `centred`"),
             ("point p = a turned 2*pi", "turned (2*a)"),
+            ("constant c = 5 deg: angle", "write 5*pi/180"),
+            ("parameter p in [-90°, 90°]: angle", "write 5*pi/180"),
         ];
         for (line, hint) in cases {
             let Err(Error::Syntax(at)) = Domain::parse(&with(line)) else {
@@ -167,6 +169,25 @@ mod tests {
             );
         }
         assert!(Domain::parse(&with("point p = a turned (2*pi)")).is_ok());
+    }
+
+    #[test]
+    fn a_heading_is_an_angle_of_what_has_a_place() {
+        let turns = |attributes: &str| {
+            let text = std::format!("object a {{ {attributes} }} parameter p in [0, 1]: length");
+            let domain = Domain::parse(&text).unwrap();
+            let last = domain.instance_len() as u8 - 1;
+            assert_eq!(domain.has_headings(), domain.places(last), "{attributes}");
+            domain.places(last)
+        };
+        for name in ["theta", "yaw", "pitch", "roll"] {
+            assert!(turns(&std::format!("x: length, y: length, {name}: angle")));
+            assert!(!turns(&std::format!(
+                "x: length, y: length, {name}: length"
+            )));
+            assert!(!turns(&std::format!("x: length, {name}: angle")));
+            assert!(!turns(&std::format!("hold: length, {name}: length")));
+        }
     }
 
     #[test]

@@ -169,8 +169,7 @@ impl<'t> DomainParser<'_, 't> {
             return Ok(());
         };
         (object.type_index, object.first_slot, object.pose) = (type_index, first_slot, pose);
-        let placed = matches!(pose.position, [Some(_), Some(_), _]);
-        if placed && object.member.is_none_or(|member| member.index == 0) {
+        if pose.has_place() && object.member.is_none_or(|member| member.index == 0) {
             let name = object.name;
             let base = Base::Object(self.small(index)?);
             self.point(name, "", base, [None; 3], [None; 3])?;

@@ -7,15 +7,20 @@ use crate::text::{Failed, Lexer, Place, split_at_dot};
 use heapless::Vec;
 
 /// The words of statements and formulas.
-const KEYWORDS: [&str; 13] = [
+const KEYWORDS: [&str; 18] = [
     "type",
     "object",
     "constant",
     "parameter",
     "shape",
     "point",
+    "feature",
+    "compare",
+    "relate",
     "in",
     "turned",
+    "rounded",
+    "centred",
     "world",
     "and",
     "or",

@@ -2,6 +2,7 @@
 
 mod parser;
 mod properties;
+mod unit;
 mod words;
 mod writer;
 

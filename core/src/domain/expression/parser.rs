@@ -1,6 +1,5 @@
 //! Reads expressions.
 
-use super::properties::product_dimension;
 use super::words::{self, Function, UNKNOWN_FUNCTION};
 use crate::domain::node::{copy, intern};
 use crate::domain::{
@@ -107,7 +106,6 @@ impl ExpressionParser<'_, '_, '_> {
         let mut left = self.factor(lexer, depth)?;
         let mut links = depth;
         loop {
-            let at = lexer.place();
             let make = if lexer.accept("*") {
                 Node::Product
             } else if lexer.accept("/") {
@@ -117,12 +115,7 @@ impl ExpressionParser<'_, '_, '_> {
             };
             links = deeper(lexer, links)?;
             let right = self.factor(lexer, depth)?;
-            let node = make(left, right);
-            if let Node::Product(..) = node {
-                product_dimension(self.dimension(left), self.dimension(right))
-                    .map_err(|what| lexer.fail_at(at, what))?;
-            }
-            left = self.join(lexer, node)?;
+            left = self.join(lexer, make(left, right))?;
         }
     }
 

@@ -1,5 +1,6 @@
 //! What an expression measures, what it depends on, and its value if that is known.
 
+use super::unit::Unit;
 use crate::domain::node::node_at;
 use crate::domain::{Beam, Body, Coordinate, Dimension, Domain, Node, NodeId, Quantity};
 
@@ -15,28 +16,33 @@ pub enum Dependence {
 }
 
 impl Domain<'_> {
-    /// What an expression measures; `None` for a literal, which fits anything.
+    /// What an expression measures; `None` for a literal, and where there is no word for it:
+    /// both fit anything.
     pub fn dimension(&self, nodes: &[Node], id: NodeId) -> Option<Dimension> {
+        self.unit(nodes, id).dimension()
+    }
+
+    fn unit(&self, nodes: &[Node], id: NodeId) -> Unit {
+        let of = |dimension: Option<Dimension>| dimension.map_or(Unit::Any, Unit::Of);
         if let Some(feature) = self.feature_of(nodes, id)
             && feature.dimension.is_some()
         {
-            return feature.dimension;
+            return of(feature.dimension);
         }
-        match node_at(nodes, id).ok()? {
-            Node::Number(_) => None,
-            Node::Constant(i) => self.constants().get(usize::from(i)).map(|c| c.dimension),
-            Node::Parameter(i) => self.parameters().get(usize::from(i)).map(|p| p.dimension),
-            Node::Area(_) => Some(Dimension::Area),
-            Node::Quantity(quantity) | Node::Extreme(_, quantity) => self.measured_by(quantity),
-            Node::Sum(a, b) | Node::Difference(a, b) => self
-                .dimension(nodes, a)
-                .or_else(|| self.dimension(nodes, b)),
-            Node::Product(a, b) => {
-                product_dimension(self.dimension(nodes, a), self.dimension(nodes, b)).ok()?
+        let Ok(node) = node_at(nodes, id) else {
+            return Unit::Any;
+        };
+        match node {
+            Node::Number(_) => Unit::Any,
+            Node::Constant(i) => of(self.constants().get(usize::from(i)).map(|c| c.dimension)),
+            Node::Parameter(i) => of(self.parameters().get(usize::from(i)).map(|p| p.dimension)),
+            Node::Area(_) => Unit::Of(Dimension::Area),
+            Node::Quantity(quantity) | Node::Extreme(_, quantity) => of(self.measured_by(quantity)),
+            Node::Sum(a, b) | Node::Difference(a, b) => {
+                self.unit(nodes, a).plus(self.unit(nodes, b))
             }
-            Node::Quotient(a, b) => {
-                quotient_dimension(self.dimension(nodes, a), self.dimension(nodes, b))
-            }
+            Node::Product(a, b) => self.unit(nodes, a).times(self.unit(nodes, b)),
+            Node::Quotient(a, b) => self.unit(nodes, a).over(self.unit(nodes, b)),
         }
     }
 
@@ -172,29 +178,4 @@ impl Domain<'_> {
 fn parameter_bit(term: Node) -> u32 {
     let parameter = term.parameter();
     parameter.map_or(0, |p| 1u32.checked_shl(u32::from(p)).unwrap_or(0))
-}
-
-/// The dimension of a product; literals scale, lengths make areas.
-pub(super) fn product_dimension(
-    a: Option<Dimension>,
-    b: Option<Dimension>,
-) -> Result<Option<Dimension>, &'static str> {
-    use Dimension::{Area, Length, None as Plain};
-    match (a, b) {
-        (None, d) | (d, None) => Ok(d),
-        (Some(Plain), d) | (d, Some(Plain)) => Ok(d),
-        (Some(Length), Some(Length)) => Ok(Some(Area)),
-        _ => Err("one factor of a product must be a plain number, or both lengths"),
-    }
-}
-
-/// The dimension of a quotient, as far as there is a word for it; without, it fits anything.
-fn quotient_dimension(a: Option<Dimension>, b: Option<Dimension>) -> Option<Dimension> {
-    use Dimension::{Area, Length, None as Plain};
-    match (a, b) {
-        (d, None | Some(Plain)) => d,
-        (Some(Area), Some(Length)) => Some(Length),
-        (Some(one), Some(other)) if one == other => Some(Plain),
-        (None | Some(_), Some(_)) => None,
-    }
 }

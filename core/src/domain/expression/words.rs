@@ -67,7 +67,7 @@ const fn related(relation: Relation) -> Function {
 }
 
 /// What a straight line between two points may be, as the first thing that is clear of
-/// another one. Points may have these names: no brackets follow them.
+/// another one.
 const BEAMS: &[(&str, Beam)] = &[("line", Beam::Line), ("sweep", Beam::Sweep)];
 
 /// What a name behind a point and a dot means.
@@ -86,7 +86,7 @@ pub(super) const PI: &str = "pi";
 
 /// Whether a name means something in every expression, whatever a domain declares.
 pub(in crate::domain) fn is_reserved(name: &str) -> bool {
-    name == PI || function(name).is_some()
+    [PI, SYMMETRY].contains(&name) || function(name).is_some() || beam(name).is_some()
 }
 
 /// The function of this name.
@@ -232,8 +232,13 @@ mod tests {
     }
 
     #[test]
-    fn no_declaration_has_the_name_of_a_function() {
-        for (name, _) in FUNCTIONS {
+    fn no_declaration_has_the_name_of_a_word() {
+        let functions = FUNCTIONS.iter().map(|(name, _)| *name);
+        let lines = BEAMS.iter().map(|(name, _)| *name);
+        for name in functions
+            .chain(lines)
+            .chain([SYMMETRY, PI, "relate", "centred"])
+        {
             let text = format!("parameter {name} in [0, 1]");
             let error = Domain::parse(&text).unwrap_err().to_string();
             assert_eq!(error, "line 1, column 11: this is a word of the language");

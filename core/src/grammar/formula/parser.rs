@@ -110,7 +110,7 @@ impl FormulaParser<'_, '_, '_, '_> {
                 Token::Symbol(")") if open > 1 => open -= 1,
                 Token::Symbol(")") | Token::End => return false,
                 Token::Name("and" | "or" | "not" | "true") => return true,
-                token if comparison(token).is_some() => return true,
+                token if is_compared(token) => return true,
                 _ => {}
             }
         }
@@ -139,6 +139,11 @@ impl FormulaParser<'_, '_, '_, '_> {
                 .lexer
                 .fail_at(at, "the two sides have different dimensions"));
         }
+        if is_compared(self.lexer.token()) {
+            return Err(self
+                .lexer
+                .fail("write two constraints joined by `and`: 0 <= a and a <= 1"));
+        }
         let constraint = Constraint {
             lhs,
             comparison,
@@ -164,6 +169,10 @@ impl FormulaParser<'_, '_, '_, '_> {
 fn comparison(token: Token<'_>) -> Option<Comparison> {
     let mut all = Comparison::ALL.into_iter();
     all.find(|comparison| token == Token::Symbol(comparison.symbol()))
+}
+
+fn is_compared(token: Token<'_>) -> bool {
+    comparison(token).is_some()
 }
 
 #[cfg(test)]
@@ -199,6 +208,14 @@ mod tests {
             ("(a + (b < 1))", "column 9: expected `)`"),
             ("(a)", "column 4: expected `<`, `<=`, `>=` or `>`"),
             ("()", "column 2: expected a number, a name or `(`"),
+            (
+                "0 < a < 1",
+                "column 7: write two constraints joined by `and`: 0 <= a and a <= 1",
+            ),
+            (
+                "(0 <= a >= 1)",
+                "column 9: write two constraints joined by `and`: 0 <= a and a <= 1",
+            ),
             ("(a < 1) < 2", "column 9: expected `and`, `or` or the end"),
             ("(a < ?)", "column 6: expected a number, a name or `(`"),
         ] {

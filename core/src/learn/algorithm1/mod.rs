@@ -45,7 +45,7 @@ pub use config::{Capacity, Config, Memory, Report};
 use super::log::{Notes, Observation};
 use super::problem::{Begun, Problem};
 use super::question::{Purpose, Question, State, Trial};
-use super::{Learner, Outcome, Query};
+use super::{Learner, OBSERVATIONS, Outcome, Query};
 use crate::domain::{Dependence, Domain, MAX_PARAMETERS, Node, Parameter, PointSet, Scene};
 use crate::error::Error;
 use crate::grammar::{Features, Formula, Hypotheses, Inequality};
@@ -145,7 +145,7 @@ impl<'m, R: Real> Algorithm1<'m, R> {
         let features = Features::enumerate(domain, memory.features, memory.values)?;
         let hypotheses = Hypotheses::enumerate(&features, memory.pairs);
         let bounds = BoundTable::new(memory.bounds);
-        let observations = Table::new(memory.observations, "observations");
+        let observations = Table::new(memory.observations, OBSERVATIONS);
         for sample in [config.negative, config.positive].iter().flatten() {
             check_sample(domain, sample)?;
         }

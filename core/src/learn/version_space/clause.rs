@@ -57,6 +57,18 @@ impl<R: Real> Clause<R> {
         core::iter::once(&mut self.bound).chain(&mut self.or)
     }
 
+    /// The bounds that say something, of which one must hold: none if one of them admits
+    /// everything, and not those that admit nothing beside another one. An answer that came
+    /// since it was fitted can leave a disjunction with such bounds.
+    pub(super) fn said(&self) -> impl Iterator<Item = &Bound<R>> {
+        let mut ends = self.bounds().map(|bound| bound.inner);
+        let everything = ends.any(|inner| inner == R::INFINITY);
+        let mut ends = self.bounds().map(|bound| bound.inner);
+        let finite = ends.any(|inner| inner.is_finite());
+        let says = move |bound: &&Bound<R>| !everything && (bound.inner.is_finite() || !finite);
+        self.bounds().filter(says)
+    }
+
     /// Whether its bounds have other ends than those of another.
     pub(super) fn is_elsewhere(&self, other: &Self) -> bool {
         let ends = |bound: &Bound<R>| (bound.form, bound.inner, bound.outer);
@@ -143,5 +155,32 @@ impl<R: Real> Clause<R> {
         let (first, second) = (self.bound.form, or.form);
         forms.for_each_rhs(&first, |other| visit([other, second]));
         forms.for_each_rhs(&second, |other| visit([first, other]));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::vec::Vec;
+
+    #[test]
+    fn bounds_that_admit_everything_or_nothing_are_not_said() {
+        const ALL: f64 = f64::INFINITY;
+        const NOTHING: f64 = f64::NEG_INFINITY;
+        let bound = |inner| Bound::new(DirectedForm::default(), inner, ALL, 1.0);
+        let either = |a, b| Clause::any_of(bound(a), bound(b));
+        let said = |clause: Clause<f64>| -> Vec<f64> { clause.said().map(|b| b.inner).collect() };
+        for (clause, expected) in [
+            (Clause::new(bound(1.0)), &[1.0][..]),
+            (Clause::new(bound(ALL)), &[]),
+            (Clause::new(bound(NOTHING)), &[NOTHING]),
+            (either(1.0, 2.0), &[1.0, 2.0]),
+            (either(1.0, ALL), &[]),
+            (either(ALL, ALL), &[]),
+            (either(ALL, NOTHING), &[]),
+            (either(NOTHING, 2.0), &[2.0]),
+        ] {
+            assert_eq!(said(clause), expected, "{clause:?}");
+        }
     }
 }

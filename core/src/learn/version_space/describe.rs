@@ -5,7 +5,7 @@ use super::clause::Clause;
 use super::forms::{Forms, tolerance};
 use super::name::{Name, Named, Scaled, clearance, simplest};
 use super::report::Evidence;
-use crate::domain::{Domain, Node, NodeId, Quantity, TermError, intern};
+use crate::domain::{Dimension, Domain, Node, NodeId, Quantity, TermError, intern};
 use crate::error::Error;
 use crate::grammar::{Comparison, Inequality};
 use crate::real::Real;
@@ -41,7 +41,7 @@ impl Description {
         self.nodes.clear();
         self.any_of.clear();
         self.evidence.clear();
-        for bound in clause.bounds() {
+        for bound in clause.said() {
             let inequality = inequality(domain, forms, bound, &mut self.nodes)?;
             let own = |value: R| bound.form.outward(value).to_f64();
             // There is room for both bounds.
@@ -140,7 +140,7 @@ fn clearance_of<R: Real>(
 ) -> Option<Name> {
     let points = distance(forms, bound)?;
     let left = forms.left_term(&bound.form);
-    let dimension = domain.dimension(forms.features().nodes(), left)?;
+    let dimension = measured(domain, forms, left);
     clearance(domain, dimension, named.name.value, |constant| {
         let owner = split_at_dot(constant.name).map(|(owner, _)| owner);
         let owners = points.iter().filter_map(|p| domain.object_of(*p));
@@ -148,11 +148,18 @@ fn clearance_of<R: Real>(
     })
 }
 
+/// What a left side measures. A plain number is what that is compared with for which there is
+/// no word.
+fn measured<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, left: NodeId) -> Dimension {
+    let dimension = domain.dimension(forms.features().nodes(), left);
+    dimension.unwrap_or(Dimension::None)
+}
+
 /// The simplest name between the ends of a bound.
 fn name<R: Real>(domain: &Domain<'_>, forms: &Forms<'_, R>, bound: &Bound<R>) -> Option<Named> {
     let (inner, outer) = (bound.inner, bound.outer);
     let left = forms.left_term(&bound.form);
-    let dimension = domain.dimension(forms.features().nodes(), left)?;
+    let dimension = measured(domain, forms, left);
     let rounding = tolerance(inner);
     (outer - inner).is_finite().then(|| {
         simplest(domain, dimension, |value| {

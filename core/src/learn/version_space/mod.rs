@@ -118,7 +118,7 @@ pub use tuning::Tuning;
 use super::log::{Notes, Observation};
 use super::problem::{Begun, Problem};
 use super::question::{KEPT, Purpose, Question, Trial};
-use super::{Learner, Outcome, Query};
+use super::{Learner, OBSERVATIONS, Outcome, Query};
 use crate::domain::{Domain, MAX_PARAMETERS};
 use crate::error::Error;
 use crate::random::{Generator, generator, mixed};
@@ -205,7 +205,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             return Err(Error::InvalidArgument("a learner needs room for a region"));
         };
         Ok(VersionSpace {
-            observations: Table::new(memory.observations, "observations"),
+            observations: Table::new(memory.observations, OBSERVATIONS),
             rng: generator(config.seed),
             needed_lead: needed_lead(config.noise, config.tuning.beyond_doubt),
             certify_from: certifying_calls(&config),

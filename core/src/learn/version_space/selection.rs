@@ -303,7 +303,7 @@ impl<R: Real> VersionSpace<'_, R> {
             return self.rebuild_region(domain);
         }
         let shown = shown(&self.committee, self.approximations, self.approximating);
-        let counts = with_steps(shown).flat_map(|(_, own)| own.bounds().map(|_| own.support));
+        let counts = with_steps(shown).flat_map(|(_, own)| own.said().map(|_| own.support));
         for (evidence, count) in self.evidence.as_mut_slice().iter_mut().zip(counts) {
             evidence.support = count;
         }
@@ -372,12 +372,13 @@ fn shown<'h, R: Real>(
     best.chain(approximations.iter().take_while(move |_| approximating))
 }
 
-/// The clauses of the hypotheses of each step.
+/// The clauses of the hypotheses of each step that say something.
 fn with_steps<'h, R: Real>(
     hypotheses: impl Iterator<Item = &'h Hypothesis<R>>,
 ) -> impl Iterator<Item = (usize, &'h Clause<R>)> {
     let steps = hypotheses.enumerate();
-    steps.flat_map(|(step, own)| own.clauses.iter().map(move |clause| (step, clause)))
+    let clauses = steps.flat_map(|(step, own)| own.clauses.iter().map(move |own| (step, own)));
+    clauses.filter(|(_, clause)| clause.said().next().is_some())
 }
 
 fn note(evidence: &mut Table<'_, Evidence>, own: &[Evidence]) -> Result<(), Error> {
@@ -475,4 +476,25 @@ fn rate<R: Real>(
         length,
         hypothesis.looseness().to_f64(),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bound::Bound;
+    use super::super::forms::DirectedForm;
+    use super::*;
+    use crate::table::Blank;
+
+    #[test]
+    fn a_clause_that_admits_everything_is_no_part_of_a_region() {
+        let bound = |inner| Bound::new(DirectedForm::default(), inner, f64::INFINITY, 1.0);
+        let mut hypothesis = Hypothesis::BLANK;
+        for [inner, or] in [[f64::INFINITY; 2], [1.0, f64::INFINITY], [1.0, 2.0]] {
+            let clause = Clause::any_of(bound(inner), bound(or));
+            hypothesis.clauses.push(clause).unwrap();
+        }
+        let mut shown = with_steps(core::iter::once(&hypothesis));
+        assert_eq!(shown.next(), Some((0, &hypothesis.clauses[2])));
+        assert_eq!(shown.next(), None);
+    }
 }

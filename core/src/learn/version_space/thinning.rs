@@ -10,7 +10,7 @@ use super::forms::SampleSet;
 use super::{Step, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
-use crate::learn::Problem;
+use crate::learn::{OBSERVATIONS_FULL, Problem};
 use crate::real::Real;
 
 /// With fewer samples that nobody asked there is no use in thinning.
@@ -18,8 +18,6 @@ const FEWEST: usize = 16;
 
 /// Samples are near a bound within this share of what its form ranges over.
 const NEAR: f64 = 0.01;
-
-const FULL: Error = Error::CapacityExceeded("observations");
 
 impl<R: Real> VersionSpace<'_, R> {
     /// Checks that there is room for one more observation beside the answers that wait, or
@@ -32,7 +30,7 @@ impl<R: Real> VersionSpace<'_, R> {
         let room = self.observations.capacity();
         match taken < room || taken < room + self.gain() {
             true => Ok(()),
-            false => Err(FULL),
+            false => Err(OBSERVATIONS_FULL),
         }
     }
 
@@ -59,7 +57,7 @@ impl<R: Real> VersionSpace<'_, R> {
         }
         let gain = self.gain();
         if gain == 0 {
-            return Err(FULL);
+            return Err(OBSERVATIONS_FULL);
         }
         let mut dropped = SampleSet::EMPTY;
         self.choose_what_goes(problem, gain, &mut dropped)?;
