@@ -143,12 +143,13 @@ impl Capacity {
         }
     }
 
-    /// Forms whose version space is tracked.
+    /// Forms whose version space is tracked; where all are, those with sums are among them,
+    /// behind the others.
     pub(super) const fn tracked(self) -> usize {
         if self.tracked < self.forms {
             self.tracked
         } else {
-            self.forms
+            self.forms + self.sums()
         }
     }
 

@@ -136,6 +136,8 @@ pub(super) struct Forms<'m, R> {
     sample_sets: &'m mut [u64],
     /// What it takes to name a form of each level and a direction, in bits.
     level_length: [f64; LEVELS],
+    /// What it takes to name a threshold, in bits: asked for very often.
+    threshold_length: f64,
 }
 
 impl<'m, R: Real> Forms<'m, R> {
@@ -184,6 +186,7 @@ impl<'m, R: Real> Forms<'m, R> {
             exclusions,
             sample_sets,
             level_length: [0.0; LEVELS],
+            threshold_length: 0.0,
         }
     }
 
@@ -208,6 +211,7 @@ impl<'m, R: Real> Forms<'m, R> {
         self.sample_sets.fill(0);
         self.sums.slots.fill(Sum::BLANK);
         self.values.samples.clear();
+        self.threshold_length = 0.0;
     }
 
     /// Whether there is room for the instances of a problem, and each makes a scene, but for
@@ -536,7 +540,7 @@ impl<'m, R: Real> Forms<'m, R> {
 
     /// The length of a threshold's description, among those that the samples tell apart.
     pub(super) fn threshold_length(&self) -> f64 {
-        libm::log2((self.samples() + 1) as f64)
+        self.threshold_length
     }
 
     /// How many samples there are.

@@ -80,6 +80,7 @@ impl<R: Real> Forms<'_, R> {
                 }
             }
         }
+        self.evaluate_new_sums();
     }
 
     /// Sorts the infeasible samples of a step by instance; `false` if there are none.
@@ -160,6 +161,7 @@ impl<R: Real> Forms<'_, R> {
                     worth: count as f32 / length,
                     lhs: lhs as u8,
                     kept: true,
+                    new: true,
                 };
                 insert(&mut best, sum);
             }
@@ -260,11 +262,10 @@ impl<R: Real> Forms<'_, R> {
                 }
             };
             let worst = free.reduce(|a, b| if worth(b.1) < worth(a.1) { b } else { a });
-            if let Some((slot, own)) = worst
+            if let Some((_, own)) = worst
                 && worth(own) < sum.worth
             {
                 *own = sum;
-                self.sums.evaluate(slot, &self.values);
             }
         }
     }

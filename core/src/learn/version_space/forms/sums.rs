@@ -51,6 +51,8 @@ pub struct Sum {
     pub(super) lhs: u8,
     /// Whether it is kept: whether there is something in this slot.
     pub(super) kept: bool,
+    /// Whether it was not evaluated yet.
+    pub(super) new: bool,
 }
 
 impl Blank for Sum {
@@ -60,6 +62,7 @@ impl Blank for Sum {
         worth: 0.0,
         lhs: 0,
         kept: false,
+        new: false,
     };
 }
 
@@ -97,11 +100,26 @@ impl<R: Real> Sums<'_, R> {
         })
     }
 
+    /// The form in a slot, bounded from above, and whether it was not evaluated yet; if there
+    /// is one.
+    pub(super) fn form_in(&self, slot: usize) -> Option<(DirectedForm, bool)> {
+        let sum = self.slots.get(slot).filter(|sum| sum.kept)?;
+        let form = DirectedForm {
+            index: (self.first + slot) as u32,
+            rhs: slot as u16,
+            lhs: sum.lhs,
+            level: SUM_LEVEL,
+            upper: true,
+        };
+        Some((form, sum.new))
+    }
+
     /// Evaluates the right side of a slot in all instances.
     pub(super) fn evaluate(&mut self, slot: usize, values: &Values<'_, R>) {
-        let Some(sum) = self.slots.get(slot) else {
+        let Some(sum) = self.slots.get_mut(slot) else {
             return;
         };
+        sum.new = false;
         let right_side = RightSide::of(&sum.terms, true);
         let own = self.values.chunks_exact_mut(self.instances.max(1));
         for (instance, value) in own.into_iter().nth(slot).into_iter().flatten().enumerate() {
