@@ -253,8 +253,8 @@ fn cut<R: Real>(
     let [few, many] = MISSED;
     let missed = (feasible.len() / few).max(few).min(many);
     let mut ends: Vec<R, { MISSED[1] + 1 }> = Vec::new();
-    for sample in feasible.iter() {
-        let value = view.value(form, sample);
+    let values = view.column(form);
+    for value in values.of_all(feasible) {
         if ends.len() > missed {
             if ends.last().is_none_or(|last| value <= *last) {
                 continue;
@@ -266,8 +266,7 @@ fn cut<R: Real>(
         }
     }
     let mut counts = [0u32; MISSED[1] + 1];
-    for sample in infeasible.iter() {
-        let value = view.value(form, sample);
+    for value in values.of_all(infeasible) {
         let value = value - tolerance(value);
         if ends.last().is_none_or(|last| value <= *last) {
             continue;

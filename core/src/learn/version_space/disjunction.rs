@@ -85,11 +85,12 @@ fn excluded_around<R: Real>(
     pivot: usize,
     open: &mut SampleSet,
 ) -> Option<(usize, Clause<R>)> {
-    let at = view.value(&below, pivot);
+    let values = view.column(&below);
+    let at = values.at(pivot);
     let [low, high] = neighbours(view, &below, at);
     let mut inside = SampleSet::EMPTY;
     inside.insert(pivot);
-    let value = |sample: &usize| view.value(&below, *sample);
+    let value = |sample: &usize| values.at(*sample);
     for sample in open.iter().filter(|s| low < value(s) && value(s) < high) {
         inside.insert(sample);
     }
@@ -113,8 +114,7 @@ fn excluded_around<R: Real>(
 /// it.
 fn neighbours<R: Real>(view: &StepView<'_, '_, R>, form: &DirectedForm, at: R) -> [R; 2] {
     let (mut low, mut high) = (R::NEG_INFINITY, R::INFINITY);
-    for sample in view.feasible.iter() {
-        let value = view.value(form, sample);
+    for value in view.column(form).of_all(&view.feasible) {
         if value < at {
             low = low.max(value);
         } else {
@@ -202,13 +202,13 @@ impl<R: Real> Search<'_, '_, '_, R> {
 
     /// The clause that excludes the interval of a form around the pivot.
     fn interval(&self, below: DirectedForm) -> Option<Candidate<R>> {
-        let value = |sample: usize| self.view.value(&below, sample);
-        let at = value(self.pivot);
+        let values = self.view.column(&below);
+        let at = values.at(self.pivot);
         let [low, high] = neighbours(self.view, &below, at);
         if !(low.is_finite() && high.is_finite() && at < high) {
             return None;
         }
-        let inside = self.open.iter().map(value);
+        let inside = values.of_all(self.open);
         let excluded = inside.filter(|v| low < *v && *v < high).count();
         let clause = Clause::any_of(
             Bound::new(below, low, at, R::ONE),
@@ -235,11 +235,12 @@ impl<R: Real> Search<'_, '_, '_, R> {
     #[inline(never)]
     fn candidate(&self, forms: [DirectedForm; 2]) -> Option<Candidate<R>> {
         let [first, second] = forms;
-        let value = |form: &DirectedForm, sample| self.view.value(form, sample);
-        let at = [value(&first, self.pivot), value(&second, self.pivot)];
+        let columns = [self.view.column(&first), self.view.column(&second)];
+        let [own, other] = &columns;
+        let at = [own.at(self.pivot), other.at(self.pivot)];
         let corner = self.view.corner([&first, &second], at);
         let [inner, or] = corner.filter(|c| c.iter().all(|end| end.is_finite()))?;
-        let beyond = |s: &usize| value(&first, *s) > inner && value(&second, *s) > or;
+        let beyond = |s: &usize| own.at(*s) > inner && other.at(*s) > or;
         let excluded = self.open.iter().filter(beyond).count();
         let [start, or_start] = at;
         let clause = Clause::any_of(
@@ -274,13 +275,13 @@ impl<R: Real> Search<'_, '_, '_, R> {
         let feasible = &self.view.feasible;
         let all = feasible.len();
         self.view.forms.for_each(level, |form| {
-            let start = self.view.value(&form, self.pivot);
-            let value = |sample: usize| self.view.value(&form, sample);
-            let inside = feasible.iter().filter(|s| value(*s) < start).count();
+            let values = self.view.column(&form);
+            let start = values.at(self.pivot);
+            let inside = values.of_all(feasible).filter(|v| *v < start).count();
             if inside == 0 || inside == all {
                 return;
             }
-            let outside = self.open.iter().filter(|s| value(*s) >= start).count();
+            let outside = values.of_all(self.open).filter(|v| *v >= start).count();
             insert_sorted(&mut best, beam, (inside * outside, form), |a, b| a.0 > b.0);
         });
         gather(best.iter().map(|(_, form)| *form))

@@ -72,11 +72,15 @@ impl<R: Real> Hypothesis<R> {
         let mut best = *old;
         let mut least = old.length(forms, others) + naming(old) - SHORTER;
         view.for_each_count(&alone, &mut |form, count| {
-            let mut new = Clause::new(Bound::inside(view, form));
-            let shortest = new.length(forms, others) - forms.threshold_length();
-            if count < needed || shortest >= least {
+            if count < needed {
                 return;
             }
+            let mut new = Clause::new(Bound::new(form, R::INFINITY, R::INFINITY, R::ZERO));
+            let shortest = new.length(forms, others) - forms.threshold_length();
+            if shortest >= least {
+                return;
+            }
+            new.bound.inner = view.last_feasible(&form);
             // How far the form ranges only matters for samples on the wrong side.
             if count as usize != alone.len() {
                 new.bound.range = view.range(&form);

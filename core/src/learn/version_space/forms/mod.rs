@@ -52,7 +52,7 @@ use exclusions::Exclusions;
 use layout::{Layout, Places};
 use left::Tier;
 use sums::Sums;
-use values::Values;
+use values::{Column, Values};
 
 /// Most left sides, half of them derived ones.
 pub(super) const MAX_LHS: usize = u128::BITS as usize;
@@ -468,13 +468,21 @@ impl<'m, R: Real> Forms<'m, R> {
 
     /// The value of a form from one direction at a sample that was taken in.
     pub(super) fn value_at(&self, form: &DirectedForm, sample: usize) -> R {
-        if form.level == SUM_LEVEL {
-            let lhs = self.values.lhs_at(form.lhs.into(), sample);
-            let instance = self.values.instance_of(sample);
-            return self.with_lhs(form, instance, lhs.unwrap_or(R::NAN));
+        self.column(form).at(sample)
+    }
+
+    /// The values of a form from one direction at the samples.
+    #[inline(always)]
+    pub(super) fn column(&self, form: &DirectedForm) -> Column<'_, R> {
+        let column = Column::of(&self.values, form);
+        if form.level != SUM_LEVEL {
+            return column;
         }
-        let value = self.values.at(form.lhs.into(), form.rhs.into(), sample);
-        form.outward(value)
+        Column {
+            rhs: self.sums.in_slot(usize::from(form.rhs)),
+            rhs_step: 1,
+            ..column
+        }
     }
 
     /// The feasible or the infeasible samples of a step.

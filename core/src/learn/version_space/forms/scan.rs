@@ -66,7 +66,8 @@ impl<R: Real> StepView<'_, '_, R> {
                     break;
                 }
                 let last = self.last_feasible(&form);
-                let excluded = |sample: &usize| excludes(last, self.value(&form, *sample), true);
+                let values = self.column(&form);
+                let excluded = |sample: &usize| excludes(last, values.at(*sample), true);
                 let count = wanted.iter().filter(excluded).count();
                 if count > 0 {
                     visit(form, count as u32);
@@ -172,7 +173,8 @@ impl<R: Real> StepView<'_, '_, R> {
     pub(in super::super) fn last_feasible(&self, form: &DirectedForm) -> R {
         let index = form.index as usize;
         if index >= self.forms.tracked {
-            let values = self.feasible.iter().map(|sample| self.value(form, sample));
+            let values = self.column(form);
+            let values = values.of_all(&self.feasible);
             return values.fold(R::NEG_INFINITY, R::max);
         }
         let place = self.step * self.forms.tracked + index;
@@ -191,8 +193,9 @@ impl<R: Real> StepView<'_, '_, R> {
         if index >= self.forms.tracked {
             let mut set = SampleSet::EMPTY;
             let end = form.outward(self.last_feasible(form));
+            let values = self.column(form);
             for sample in self.infeasible.iter() {
-                if excludes(end, form.outward(self.value(form, sample)), form.upper) {
+                if excludes(end, form.outward(values.at(sample)), form.upper) {
                     set.insert(sample);
                 }
             }

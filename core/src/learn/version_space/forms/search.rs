@@ -64,7 +64,8 @@ impl<R: Real> Forms<'_, R> {
     ) {
         let first = self.sums.first;
         for (slot, sum) in self.sums.slots.iter_mut().enumerate() {
-            sum.kept &= used((first + slot) as u32);
+            sum.used = used((first + slot) as u32);
+            sum.kept &= sum.used;
         }
         if self.sums.slots.is_empty() || !self.sort_failures(step) {
             return;
@@ -76,7 +77,7 @@ impl<R: Real> Forms<'_, R> {
                     && self.view_left(step, lhs, upper)
                 {
                     let best = self.best_of(&left, lhs, upper, &columns, effort);
-                    self.keep(&best, used);
+                    self.keep(&best);
                 }
             }
         }
@@ -161,6 +162,7 @@ impl<R: Real> Forms<'_, R> {
                     worth: count as f32 / length,
                     lhs: lhs as u8,
                     kept: true,
+                    used: false,
                     new: true,
                 };
                 insert(&mut best, sum);
@@ -239,21 +241,19 @@ impl<R: Real> Forms<'_, R> {
     }
 
     /// Keeps sums in slots that are free or hold something worth less.
-    fn keep(&mut self, best: &[Sum], used: &dyn Fn(u32) -> bool) {
+    fn keep(&mut self, best: &[Sum]) {
         for (rank, sum) in best.iter().enumerate() {
             // The best one of each left side comes before the second of any.
             let sum = Sum {
                 worth: sum.worth - 1e3 * rank as f32,
                 ..*sum
             };
-            let first = self.sums.first;
             let same = |own: &Sum| own.kept && own.lhs == sum.lhs && own.terms == sum.terms;
             if let Some(own) = self.sums.slots.iter_mut().find(|own| same(own)) {
                 own.worth = own.worth.max(sum.worth);
                 continue;
             }
-            let slots = self.sums.slots.iter_mut().enumerate();
-            let free = slots.filter(|(slot, _)| !used((first + slot) as u32));
+            let free = self.sums.slots.iter_mut().filter(|own| !own.used);
             let worth = |own: &Sum| {
                 if own.kept {
                     own.worth
@@ -261,8 +261,8 @@ impl<R: Real> Forms<'_, R> {
                     f32::NEG_INFINITY
                 }
             };
-            let worst = free.reduce(|a, b| if worth(b.1) < worth(a.1) { b } else { a });
-            if let Some((_, own)) = worst
+            let worst = free.reduce(|a, b| if worth(b) < worth(a) { b } else { a });
+            if let Some(own) = worst
                 && worth(own) < sum.worth
             {
                 *own = sum;

@@ -51,6 +51,8 @@ pub struct Sum {
     pub(super) lhs: u8,
     /// Whether it is kept: whether there is something in this slot.
     pub(super) kept: bool,
+    /// Whether a hypothesis speaks of what is in this slot.
+    pub(super) used: bool,
     /// Whether it was not evaluated yet.
     pub(super) new: bool,
 }
@@ -62,6 +64,7 @@ impl Blank for Sum {
         worth: 0.0,
         lhs: 0,
         kept: false,
+        used: false,
         new: false,
     };
 }
@@ -86,6 +89,15 @@ impl<R: Real> Sums<'_, R> {
     #[inline(always)]
     pub(super) fn value(&self, slot: usize, instance: usize) -> Option<R> {
         self.values.get(slot * self.instances + instance).copied()
+    }
+
+    /// The right side of a sum in all instances.
+    #[inline(always)]
+    pub(super) fn in_slot(&self, slot: usize) -> &[R] {
+        let start = slot * self.instances;
+        self.values
+            .get(start..start + self.instances)
+            .unwrap_or(&[])
     }
 
     /// The sums that are kept, from one direction.

@@ -129,8 +129,7 @@ impl<R: Real> Forms<'_, R> {
         self.exclusions.forget(index);
         for step in 0..self.intervals.len() / tracked {
             let mut interval = Interval::<R>::BLANK;
-            for sample in self.sample_set(step, true).iter() {
-                let value = self.value_at(form, sample);
+            for value in self.column(form).of_all(&self.sample_set(step, true)) {
                 interval.low = interval.low.min(value);
                 interval.high = interval.high.max(value);
             }
