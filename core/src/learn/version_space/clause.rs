@@ -38,6 +38,7 @@ impl<R: Real> Clause<R> {
         own: &SampleSet,
     ) -> Option<Self> {
         let [first, second] = forms;
+        view.note_look();
         let ends = [view.first_of(&first, own), view.first_of(&second, own)];
         let corner = view.corner([&first, &second], ends);
         let [inner, or_inner] = corner.filter(|c| c.iter().all(|end| end.is_finite()))?;
@@ -128,6 +129,7 @@ impl<R: Real> Clause<R> {
             return true;
         }
         let Bound { form, range, .. } = self.bound;
+        view.note_look();
         let fitted = Bound::between(view, form, own, range, slack);
         self.bound = fitted.unwrap_or(self.bound);
         fitted.is_some()

@@ -203,6 +203,7 @@ impl<R: Real> Search<'_, '_, '_, R> {
     /// The clause that excludes the interval of a form around the pivot.
     fn interval(&self, below: DirectedForm) -> Option<Candidate<R>> {
         let values = self.view.column(&below);
+        self.view.note_look();
         let at = values.at(self.pivot);
         let [low, high] = neighbours(self.view, &below, at);
         if !(low.is_finite() && high.is_finite() && at < high) {
@@ -236,6 +237,7 @@ impl<R: Real> Search<'_, '_, '_, R> {
     fn candidate(&self, forms: [DirectedForm; 2]) -> Option<Candidate<R>> {
         let [first, second] = forms;
         let columns = [self.view.column(&first), self.view.column(&second)];
+        self.view.note_look();
         let [own, other] = &columns;
         let at = [own.at(self.pivot), other.at(self.pivot)];
         let corner = self.view.corner([&first, &second], at);

@@ -47,6 +47,7 @@ use crate::learn::{Problem, Query};
 use crate::real::Real;
 use crate::region::Theta;
 use crate::table::{Blank, Table};
+use core::cell::Cell;
 use core::mem::take;
 use exclusions::Exclusions;
 use layout::{Layout, Places};
@@ -138,6 +139,8 @@ pub(super) struct Forms<'m, R> {
     level_length: [f64; LEVELS],
     /// What it takes to name a threshold, in bits: asked for very often.
     threshold_length: f64,
+    /// How much work was done since the last answer, in looks at a form.
+    work: Cell<u32>,
 }
 
 impl<'m, R: Real> Forms<'m, R> {
@@ -187,6 +190,7 @@ impl<'m, R: Real> Forms<'m, R> {
             sample_sets,
             level_length: [0.0; LEVELS],
             threshold_length: 0.0,
+            work: Cell::new(0),
         }
     }
 
@@ -549,6 +553,24 @@ impl<'m, R: Real> Forms<'m, R> {
     /// The length of a threshold's description, among those that the samples tell apart.
     pub(super) fn threshold_length(&self) -> f64 {
         self.threshold_length
+    }
+
+    /// How much work was done since the last answer.
+    pub(super) fn work(&self) -> u32 {
+        self.work.get()
+    }
+
+    /// Counts work: looks at a form and 64 samples, or what takes as long. It is the same
+    /// whatever is tracked.
+    #[inline(always)]
+    fn add_work(&self, looks: usize) {
+        let looks = u32::try_from(looks).unwrap_or(u32::MAX);
+        self.work.set(self.work.get().saturating_add(looks));
+    }
+
+    /// An answer comes: work is counted anew.
+    pub(super) fn forget_work(&self) {
+        self.work.set(0);
     }
 
     /// How many samples there are.

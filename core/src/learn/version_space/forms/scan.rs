@@ -54,6 +54,9 @@ impl<R: Real> StepView<'_, '_, R> {
         wanted: &SampleSet,
         visit: &mut dyn FnMut(DirectedForm, u32),
     ) {
+        let words = wanted.words().iter().filter(|word| **word != 0).count();
+        let forms = self.forms.len() + self.forms.sums.capacity();
+        self.forms.add_work(2 * forms * words);
         for upper in [true, false] {
             for run in self.forms.layout.runs() {
                 let (tracked, other) = run.split(self.forms.tracked);

@@ -52,36 +52,51 @@ impl<R: Real> Blank for Failure<R> {
 }
 
 impl<R: Real> Forms<'_, R> {
-    /// Looks for sums that exclude many infeasible samples of a step, and keeps the best,
-    /// beside those that are still `used`.
+    /// Begins a search for sums that exclude many infeasible samples of a step, or brings it up
+    /// to date; those that are `used` are kept in any case. `false` if there is nothing to
+    /// exclude.
     #[inline(never)]
-    pub(in super::super) fn find_sums(
+    pub(in super::super) fn begin_search(
         &mut self,
-        domain: &Domain<'_>,
         step: usize,
-        effort: Effort,
+        anew: bool,
         used: &dyn Fn(u32) -> bool,
-    ) {
+    ) -> bool {
         let first = self.sums.first;
         for (slot, sum) in self.sums.slots.iter_mut().enumerate() {
             sum.used = used((first + slot) as u32);
-            sum.kept &= sum.used;
+            sum.kept &= sum.used || !anew;
         }
-        if self.sums.slots.is_empty() || !self.sort_failures(step) {
-            return;
-        }
+        !self.sums.slots.is_empty() && self.sort_failures(step)
+    }
+
+    /// Looks for sums from a side of a left side on, until so much work was done, and keeps the
+    /// best. The sides are counted; returns the next one.
+    #[inline(never)]
+    pub(in super::super) fn search(
+        &mut self,
+        domain: &Domain<'_>,
+        (step, effort): (usize, Effort),
+        from: usize,
+        most: u32,
+    ) -> Option<usize> {
         let columns = self.columns(domain);
-        for lhs in 0..self.lefts.len() {
-            for upper in [true, false] {
-                if let Some(left) = self.lefts.as_slice().get(lhs).copied()
-                    && self.view_left(step, lhs, upper)
-                {
-                    let best = self.best_of(&left, lhs, upper, &columns, effort);
-                    self.keep(&best);
-                }
+        let mut next = None;
+        for side in from..2 * self.lefts.len() {
+            if side > from && self.work() >= most {
+                next = Some(side);
+                break;
+            }
+            let (lhs, upper) = (side / 2, side.is_multiple_of(2));
+            if let Some(left) = self.lefts.as_slice().get(lhs).copied()
+                && self.view_left(step, lhs, upper)
+            {
+                let best = self.best_of(&left, lhs, upper, &columns, effort);
+                self.keep(&best);
             }
         }
         self.evaluate_new_sums();
+        next
     }
 
     /// Sorts the infeasible samples of a step by instance; `false` if there are none.
@@ -154,6 +169,7 @@ impl<R: Real> Forms<'_, R> {
             if length >= longest {
                 return longest - base;
             }
+            self.add_work(self.ends.len());
             let count = self.count_excluded(&terms, upper);
             if count > 0 {
                 let sum = Sum {

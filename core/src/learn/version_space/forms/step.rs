@@ -3,6 +3,9 @@
 use super::{Column, DirectedForm, Forms, SampleSet};
 use crate::real::Real;
 
+/// How many looks at what is tracked take as long as one at a value.
+const VALUE: usize = 2;
+
 /// The forms, and the feasible and infeasible samples of one step of a sequence of actions:
 /// what a hypothesis about that step is made of.
 pub(in super::super) struct StepView<'v, 'm, R> {
@@ -33,6 +36,11 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
     /// The value of a form at a sample, outwards.
     pub(in super::super) fn value(&self, form: &DirectedForm, sample: usize) -> R {
         self.forms.value_at(form, sample)
+    }
+
+    /// Counts that the values of a form were looked at.
+    pub(in super::super) fn note_look(&self) {
+        self.forms.add_work(VALUE * self.forms.samples());
     }
 
     /// The values of a form at the samples, outwards.
