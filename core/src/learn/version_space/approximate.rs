@@ -146,7 +146,7 @@ impl<R: Real> Hypothesis<R> {
         for form in pool {
             let clauses = &self.clauses;
             let mut known = clauses.iter().flat_map(Clause::bounds);
-            let named = known.any(|bound| bound.form.index == form.index);
+            let named = known.any(|bound| bound.form.index() == form.index());
             let length = view.forms.bound_length(form, named);
             if let Some(cut) = cut(view, form, [&feasible, &infeasible], (worth, length))
                 && best.is_none_or(|best| cut.gain > best.gain)

@@ -75,12 +75,12 @@ impl<R: Real> Clause<R> {
     pub(super) fn length(&self, forms: &Forms<'_, R>, others: [&[Clause<R>]; 2]) -> f64 {
         let named = |form: &DirectedForm| {
             let mut known = others.into_iter().flatten().flat_map(Clause::bounds);
-            known.any(|other| other.form.index == form.index)
+            known.any(|other| other.form.index() == form.index())
         };
         let first = &self.bound;
         let length = first.strain.to_f64() + forms.bound_length(&first.form, named(&first.form));
         let second = self.or.map(|or| {
-            let named = or.form.index == first.form.index || named(&or.form);
+            let named = or.form.index() == first.form.index() || named(&or.form);
             forms.bound_length(&or.form, named)
         });
         length + second.unwrap_or(0.0)

@@ -20,23 +20,26 @@ const MAX_BEAM: usize = 24;
 /// Room for [`Tuning::interval_starts`].
 const MAX_STARTS: usize = 4;
 
-/// The disjunction that excludes most of `open` for its length.
+/// The disjunction that excludes most of `open` for its length, with what that is worth: the
+/// one that is known, or one that excludes a certain sample. There are a few of these, which
+/// are counted; `None` if there are no more.
 #[inline(never)]
-pub(super) fn best_disjunction<R: Real>(
+pub(super) fn better_disjunction<R: Real>(
     view: &StepView<'_, '_, R>,
     open: &SampleSet,
-) -> Option<Clause<R>> {
-    let mut best = Best::default();
+    place: usize,
+    known: Option<(f64, Clause<R>)>,
+) -> Option<Option<(f64, Clause<R>)>> {
+    let mut best = Best(known.map(|(worth, clause)| Candidate { worth, clause }));
     let pivots = view.forms.tuning().pivots as usize;
-    let every = open.len().div_ceil(pivots.max(1));
-    for pivot in open.iter().step_by(every.max(1)) {
-        let search = Search { view, open, pivot };
-        search.offer_intervals(&mut best);
-        if let Some(start) = search.pair().0 {
-            search.offer_polished(&start, &mut best);
-        }
+    let every = open.len().div_ceil(pivots.max(1)).max(1);
+    let pivot = open.iter().step_by(every).nth(place)?;
+    let search = Search { view, open, pivot };
+    search.offer_intervals(&mut best);
+    if let Some(start) = search.pair().0 {
+        search.offer_polished(&start, &mut best);
     }
-    best.0.map(|candidate| candidate.clause)
+    Some(best.0.map(|Candidate { worth, clause }| (worth, clause)))
 }
 
 /// Most intervals of a form that are looked at.
@@ -53,7 +56,7 @@ pub(super) fn best_windows<R: Real>(
     let tuning = view.forms.tuning();
     let (mut best, mut most) = (Vec::new(), 0.0);
     view.forms.for_each(tuning.pair_level as u8, |form| {
-        if !form.upper {
+        if !form.upper() {
             return;
         }
         let mut windows: Vec<(usize, Clause<R>), MAX_CLAUSES> = Vec::new();
@@ -167,7 +170,7 @@ impl<R: Real> Search<'_, '_, '_, R> {
         let tuning = self.tuning();
         let discount = |bound: &Bound<R>| Randomisation::GREEDY.discount(bound.form.level, tuning);
         let first = &clause.bound;
-        let second = clause.or.filter(|or| or.form.index != first.form.index);
+        let second = clause.or.filter(|or| or.form.index() != first.form.index());
         let second = second.map_or(0.0, |or| tuning.discount_second + discount(&or));
         let plainness = tuning.disjunction_plainness;
         Candidate {
@@ -183,7 +186,7 @@ impl<R: Real> Search<'_, '_, '_, R> {
         let starts = self.tuning().interval_starts as usize;
         let mut best: Vec<Candidate<R>, MAX_STARTS> = Vec::new();
         self.view.forms.for_each(u8::MAX, |below| {
-            let Some(new) = below.upper.then(|| self.interval(below)).flatten() else {
+            let Some(new) = below.upper().then(|| self.interval(below)).flatten() else {
                 return;
             };
             let same = |old: &Candidate<R>| old.clause.bound.form.lhs == below.lhs;

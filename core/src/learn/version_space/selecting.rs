@@ -29,8 +29,8 @@ pub(super) struct Work {
     step: usize,
     /// Where it stands there: a candidate, or a side of a left side.
     place: usize,
-    /// How far the draft is improved, if there is one.
-    draft: Option<Improving>,
+    /// What is done with the draft.
+    draft: Drafting,
     /// Whether a search for sums had a reason.
     found: bool,
     /// Whether a best hypothesis was exchanged since the region was written.
@@ -58,6 +58,22 @@ enum Stage {
     Sums(usize),
     /// The region is written.
     Conclude,
+}
+
+/// How far a draft is.
+#[derive(Clone, Copy, Debug, Default)]
+enum Drafting {
+    /// There is none.
+    #[default]
+    None,
+    /// A disjunction is looked for behind its first clauses, for one sample after the other.
+    Disjunction {
+        simple: usize,
+        pivot: usize,
+        worth: f64,
+    },
+    /// It is improved.
+    Improved(Improving),
 }
 
 impl<R: Real> VersionSpace<'_, R> {
@@ -133,7 +149,7 @@ impl<R: Real> VersionSpace<'_, R> {
         self.work.seen = self.forms.samples();
         let Work { step, place, .. } = self.work;
         match self.work.stage {
-            Stage::Compare(_) if self.work.draft.is_some() => {
+            Stage::Compare(_) if matches!(self.work.draft, Drafting::Improved(_)) => {
                 let view = StepView::new(&self.forms, step);
                 self.draft.refit(&view, self.config.slack);
             }
@@ -195,13 +211,24 @@ impl<R: Real> VersionSpace<'_, R> {
         };
         let view = StepView::new(forms, step);
         match &mut self.work.draft {
-            Some(improving) => {
+            Drafting::Improved(improving) => {
                 if improving.advance(self.draft, &view, &objective) {
                     self.work.moved |= take_better(best, self.draft, &view, &objective, place);
-                    (self.work.draft, self.work.place) = (None, place + 1);
+                    (self.work.draft, self.work.place) = (Drafting::None, place + 1);
                 }
             }
-            none => {
+            Drafting::Disjunction {
+                simple,
+                pivot,
+                worth,
+            } => {
+                let (own, rng) = ((*simple, *pivot), &mut self.rng);
+                *pivot += 1;
+                if !self.draft.try_disjunction(&view, own, worth, rng) {
+                    self.improve_draft();
+                }
+            }
+            Drafting::None => {
                 let made = make_draft(self.draft, (best, others), &view, &objective, place);
                 let made = match made {
                     Draft::Made => true,
@@ -210,9 +237,13 @@ impl<R: Real> VersionSpace<'_, R> {
                         true
                     }
                     Draft::Disjunction(simple) => {
-                        let rng = &mut self.rng;
-                        self.draft.cover_with_disjunction(&view, simple, rng);
-                        true
+                        self.draft.begin_disjunction(&view, simple, &mut self.rng);
+                        self.work.draft = Drafting::Disjunction {
+                            simple: self.draft.clauses.len(),
+                            pivot: 0,
+                            worth: 0.0,
+                        };
+                        return;
                     }
                     Draft::Windows => {
                         self.draft.cover_with_windows(&view, &mut self.rng);
@@ -221,12 +252,19 @@ impl<R: Real> VersionSpace<'_, R> {
                     Draft::None => false,
                 };
                 match made {
-                    // What no bounds cover is not improved.
-                    true if place > 0 && !self.draft.consistent => self.work.place += 1,
-                    true => *none = Some(Improving::default()),
+                    true => self.improve_draft(),
                     false => (self.work.step, self.work.place) = (step + 1, 0),
                 }
             }
+        }
+    }
+
+    /// The draft covers what it can: it is improved next, or given up.
+    fn improve_draft(&mut self) {
+        if self.work.place == 0 || self.draft.consistent {
+            self.work.draft = Drafting::Improved(Improving::default());
+        } else {
+            (self.work.draft, self.work.place) = (Drafting::None, self.work.place + 1);
         }
     }
 

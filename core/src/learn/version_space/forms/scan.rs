@@ -39,9 +39,9 @@ impl<R: Real> Forms<'_, R> {
     ) {
         let runs = self.layout.runs();
         for run in runs.filter(|run| run.lhs == usize::from(form.lhs)) {
-            run.directed(form.upper).for_each(&mut visit);
+            run.directed(form.upper()).for_each(&mut visit);
         }
-        let sums = self.sums.directed(form.upper);
+        let sums = self.sums.directed(form.upper());
         sums.filter(|sum| sum.lhs == form.lhs).for_each(visit);
     }
 }
@@ -65,7 +65,7 @@ impl<R: Real> StepView<'_, '_, R> {
             }
             self.look_up_sums(upper, wanted, visit);
             for form in self.forms.sums.directed(upper) {
-                if (form.index as usize) < self.forms.tracked {
+                if (form.index() as usize) < self.forms.tracked {
                     break;
                 }
                 let last = self.last_feasible(&form);
@@ -174,7 +174,7 @@ impl<R: Real> StepView<'_, '_, R> {
 
     /// The end of S: the value farthest out at a feasible sample.
     pub(in super::super) fn last_feasible(&self, form: &DirectedForm) -> R {
-        let index = form.index as usize;
+        let index = form.index() as usize;
         if index >= self.forms.tracked {
             let values = self.column(form);
             let values = values.of_all(&self.feasible);
@@ -183,7 +183,7 @@ impl<R: Real> StepView<'_, '_, R> {
         let place = self.step * self.forms.tracked + index;
         let interval = self.forms.intervals.get(place).copied();
         let interval = interval.unwrap_or(Interval::BLANK);
-        if form.upper {
+        if form.upper() {
             interval.high
         } else {
             -interval.low
@@ -192,19 +192,19 @@ impl<R: Real> StepView<'_, '_, R> {
 
     /// The infeasible samples that a form excludes.
     pub(in super::super) fn excluded(&self, form: &DirectedForm) -> SampleSet {
-        let index = form.index as usize;
+        let index = form.index() as usize;
         if index >= self.forms.tracked {
             let mut set = SampleSet::EMPTY;
             let end = form.outward(self.last_feasible(form));
             let values = self.column(form);
             for sample in self.infeasible.iter() {
-                if excludes(end, form.outward(values.at(sample)), form.upper) {
+                if excludes(end, form.outward(values.at(sample)), form.upper()) {
                     set.insert(sample);
                 }
             }
             return set;
         }
-        let own = self.forms.exclusions.of(index, form.upper);
+        let own = self.forms.exclusions.of(index, form.upper());
         let mut set = SampleSet::of_words(own.take(self.forms.words()));
         set.intersect(&self.infeasible);
         set

@@ -18,6 +18,10 @@ use heapless::Vec;
 /// Sums that are offered of each left side and direction.
 const OF_EACH: usize = 6;
 
+/// How many looks at forms that are tracked take as long as one at the right side of a sum in
+/// an instance, and at what fails there.
+const RIGHT_SIDE: usize = 6;
+
 /// What the samples of an instance say about a left side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End<R> {
@@ -169,7 +173,7 @@ impl<R: Real> Forms<'_, R> {
             if length >= longest {
                 return longest - base;
             }
-            self.add_work(self.ends.len());
+            self.add_work(RIGHT_SIDE * self.ends.len());
             let count = self.count_excluded(&terms, upper);
             if count > 0 {
                 let sum = Sum {
@@ -220,8 +224,7 @@ impl<R: Real> Forms<'_, R> {
         };
         let form = super::DirectedForm {
             lhs: lhs as u8,
-            upper,
-            ..super::DirectedForm::default()
+            ..super::DirectedForm::new(0, upper)
         };
         let class = self.class_length(&form);
         (1.0 + libm::log2(2.0 * alike as f64) + tier + class) as f32

@@ -4,7 +4,7 @@ use super::{Column, DirectedForm, Forms, SampleSet};
 use crate::real::Real;
 
 /// How many looks at what is tracked take as long as one at a value.
-const VALUE: usize = 2;
+const VALUE: usize = 4;
 
 /// The forms, and the feasible and infeasible samples of one step of a sequence of actions:
 /// what a hypothesis about that step is made of.

@@ -104,11 +104,10 @@ impl<R: Real> Sums<'_, R> {
     pub(super) fn directed(&self, upper: bool) -> impl Iterator<Item = DirectedForm> {
         let kept = (0u16..).zip(self.slots.iter()).filter(|(_, sum)| sum.kept);
         kept.map(move |(slot, sum)| DirectedForm {
-            index: self.first as u32 + u32::from(slot),
             rhs: slot,
             lhs: sum.lhs,
             level: SUM_LEVEL,
-            upper,
+            ..DirectedForm::new(self.first + usize::from(slot), upper)
         })
     }
 
@@ -117,11 +116,10 @@ impl<R: Real> Sums<'_, R> {
     pub(super) fn form_in(&self, slot: usize) -> Option<(DirectedForm, bool)> {
         let sum = self.slots.get(slot).filter(|sum| sum.kept)?;
         let form = DirectedForm {
-            index: (self.first + slot) as u32,
             rhs: slot as u16,
             lhs: sum.lhs,
             level: SUM_LEVEL,
-            upper: true,
+            ..DirectedForm::new(self.first + slot, true)
         };
         Some((form, sum.new))
     }

@@ -105,7 +105,7 @@ impl<R: Real> Forms<'_, R> {
                 lhs - rhs(values.instance_of(sample))
             };
             while let Some(upper) = interval.include(value) {
-                let (form, open) = (form.index as usize, (&infeasible, words));
+                let (form, open) = (form.index() as usize, (&infeasible, words));
                 self.exclusions.admit(form, interval, upper, open, value_at);
             }
         }
@@ -116,7 +116,7 @@ impl<R: Real> Forms<'_, R> {
         for slot in 0..self.sums.capacity() {
             if let Some((form, true)) = self.sums.form_in(slot) {
                 self.sums.evaluate(slot, &self.values);
-                if (form.index as usize) < self.tracked {
+                if (form.index() as usize) < self.tracked {
                     self.track(&form);
                 }
             }
@@ -125,7 +125,7 @@ impl<R: Real> Forms<'_, R> {
 
     /// Finds S of a form in all steps, and what it excludes.
     fn track(&mut self, form: &DirectedForm) {
-        let (tracked, index) = (self.tracked.max(1), form.index as usize);
+        let (tracked, index) = (self.tracked.max(1), form.index() as usize);
         self.exclusions.forget(index);
         for step in 0..self.intervals.len() / tracked {
             let mut interval = Interval::<R>::BLANK;
@@ -175,7 +175,7 @@ impl<R: Real> Forms<'_, R> {
             let own = lhs.get(usize::from(form.lhs)).copied().unwrap_or(R::NAN);
             let value = own - self.sums.value(slot, instance).unwrap_or(R::NAN);
             let note = |upper| interval.excludes(value, upper);
-            self.exclusions.note(form.index as usize, sample, note);
+            self.exclusions.note(form.index() as usize, sample, note);
         }
     }
 }

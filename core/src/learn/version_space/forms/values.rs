@@ -90,7 +90,7 @@ impl<'v, R: Real> Column<'v, R> {
     #[inline(always)]
     pub(super) fn of(values: &'v Values<'_, R>, form: &DirectedForm) -> Self {
         Column {
-            upper: form.upper,
+            upper: form.upper(),
             samples: values.samples.as_slice(),
             lhs: values.lhs.get(usize::from(form.lhs)..).unwrap_or(&[]),
             lhs_step: values.lhs_count,
