@@ -756,7 +756,7 @@
  * Bytes of a learner that do not depend on its capacity, on a machine with
  * pointers of 32 bits; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_LEARNER_FIXED_BYTES 22700
+#define CRITREG_LEARNER_FIXED_BYTES 23600
 
 /**
  * Bytes of a region, on a machine with pointers of 32 bits; for

@@ -22,7 +22,7 @@ const MAX_STARTS: usize = 4;
 
 /// The disjunction that excludes most of `open` for its length, with what that is worth: the
 /// one that is known, or one that excludes a certain sample. There are a few of these, which
-/// are counted; `None` if there are no more.
+/// are counted twice: first for intervals, then for pairs. `None` if there are no more.
 #[inline(never)]
 pub(super) fn better_disjunction<R: Real>(
     view: &StepView<'_, '_, R>,
@@ -33,10 +33,11 @@ pub(super) fn better_disjunction<R: Real>(
     let mut best = Best(known.map(|(worth, clause)| Candidate { worth, clause }));
     let pivots = view.forms.tuning().pivots as usize;
     let every = open.len().div_ceil(pivots.max(1)).max(1);
-    let pivot = open.iter().step_by(every).nth(place)?;
+    let pivot = open.iter().step_by(every).nth(place / 2)?;
     let search = Search { view, open, pivot };
-    search.offer_intervals(&mut best);
-    if let Some(start) = search.pair().0 {
+    if place.is_multiple_of(2) {
+        search.offer_intervals(&mut best);
+    } else if let Some(start) = search.pair().0 {
         search.offer_polished(&start, &mut best);
     }
     Some(best.0.map(|Candidate { worth, clause }| (worth, clause)))

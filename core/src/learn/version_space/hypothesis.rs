@@ -89,14 +89,14 @@ impl<R: Real> Hypothesis<R> {
         self.clauses.truncate(simple);
     }
 
-    /// Looks for a better disjunction behind the first `simple` clauses, one that excludes a
-    /// certain sample of those that they leave, which are counted; what is there is worth so
-    /// much. `false` if there is no such sample: then bounds follow.
+    /// Looks for a better disjunction behind the first `simple` clauses; what is there is worth
+    /// so much. Where to look is counted, see [`better_disjunction`]. `false` if there is nothing
+    /// more to look at: then bounds follow.
     #[inline(never)]
     pub(super) fn try_disjunction(
         &mut self,
         view: &StepView<'_, '_, R>,
-        (simple, pivot): (usize, usize),
+        (simple, place): (usize, usize),
         worth: &mut f64,
         rng: &mut Generator,
     ) -> bool {
@@ -105,7 +105,7 @@ impl<R: Real> Hypothesis<R> {
             false => None,
         };
         let open = self.overlap(view).open;
-        let better = better_disjunction(view, &open, pivot, known.map(|known| (*worth, known)));
+        let better = better_disjunction(view, &open, place, known.map(|known| (*worth, known)));
         let (found, goes_on) = match better {
             Some(found) => (found, true),
             None => (known.map(|known| (*worth, known)), false),

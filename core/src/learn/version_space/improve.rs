@@ -110,6 +110,7 @@ impl<R: Real> Hypothesis<R> {
             if count < needed {
                 return;
             }
+            view.note_length();
             let mut new = Clause::new(Bound::new(form, R::INFINITY, R::INFINITY, R::ZERO));
             let shortest = new.length(forms, others) - forms.threshold_length();
             if shortest >= least {

@@ -66,10 +66,10 @@ enum Drafting {
     /// There is none.
     #[default]
     None,
-    /// A disjunction is looked for behind its first clauses, for one sample after the other.
+    /// A disjunction is looked for behind its first clauses, place by place.
     Disjunction {
         simple: usize,
-        pivot: usize,
+        place: usize,
         worth: f64,
     },
     /// It is improved.
@@ -219,11 +219,11 @@ impl<R: Real> VersionSpace<'_, R> {
             }
             Drafting::Disjunction {
                 simple,
-                pivot,
+                place,
                 worth,
             } => {
-                let (own, rng) = ((*simple, *pivot), &mut self.rng);
-                *pivot += 1;
+                let (own, rng) = ((*simple, *place), &mut self.rng);
+                *place += 1;
                 if !self.draft.try_disjunction(&view, own, worth, rng) {
                     self.improve_draft();
                 }
@@ -240,7 +240,7 @@ impl<R: Real> VersionSpace<'_, R> {
                         self.draft.begin_disjunction(&view, simple, &mut self.rng);
                         self.work.draft = Drafting::Disjunction {
                             simple: self.draft.clauses.len(),
-                            pivot: 0,
+                            place: 0,
                             worth: 0.0,
                         };
                         return;

@@ -20,7 +20,7 @@ const OF_EACH: usize = 6;
 
 /// How many looks at forms that are tracked take as long as one at the right side of a sum in
 /// an instance, and at what fails there.
-const RIGHT_SIDE: usize = 6;
+const RIGHT_SIDE: usize = 3;
 
 /// What the samples of an instance say about a left side.
 #[derive(Clone, Copy, Debug, PartialEq)]

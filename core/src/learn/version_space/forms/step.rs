@@ -3,8 +3,10 @@
 use super::{Column, DirectedForm, Forms, SampleSet};
 use crate::real::Real;
 
-/// How many looks at what is tracked take as long as one at a value.
+/// How many looks at what is tracked take as long as one at a value, and as one at what it
+/// takes to name a form.
 const VALUE: usize = 4;
+const LENGTH: usize = 16;
 
 /// The forms, and the feasible and infeasible samples of one step of a sequence of actions:
 /// what a hypothesis about that step is made of.
@@ -36,6 +38,11 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
     /// The value of a form at a sample, outwards.
     pub(in super::super) fn value(&self, form: &DirectedForm, sample: usize) -> R {
         self.forms.value_at(form, sample)
+    }
+
+    /// Counts that the length of a form was looked at.
+    pub(in super::super) fn note_length(&self) {
+        self.forms.add_work(LENGTH);
     }
 
     /// Counts that the values of a form were looked at.
