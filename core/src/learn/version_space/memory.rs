@@ -31,7 +31,7 @@ pub(super) const MAX_STEPS: usize = 4;
 /// | `lhs_values`, `lhs`, `lefts` | [`Capacity::lhs`] times 8 per observation, and twice more |
 /// | `sums`, `sum_values` | 24 per sum, and 8 per sum and instance |
 /// | `ends`, `failures` | 16 per instance and per observation |
-/// | `hypotheses`, `approximations` | 5760 per step, and 640 |
+/// | `hypotheses`, `approximations` | 5328 per step, and 592 |
 /// | `sample_sets` | 16 per step and 64 observations |
 /// | `trials` | 80 per question |
 /// | `region`, `evidence` | about 4200 |
