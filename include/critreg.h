@@ -612,6 +612,10 @@
 #define CRITREG_LEARNER_PLAIN(forms)                                           \
     (16 + ((forms) / 128 < 48 ? (size_t)(forms) / 128 : (size_t)48))
 
+/** Forms of a learner with a sum on the right, beside the others. */
+#define CRITREG_LEARNER_SUMS(forms)                                            \
+    ((forms) / 16 < 512 ? (size_t)(forms) / 16 : (size_t)512)
+
 /**
  * How many uint64_t make the memory of a learner with room for so many forms,
  * observations, problem instances and steps of an action sequence, for static
@@ -622,10 +626,10 @@
     ((CRITREG_LEARNER_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)   \
       + ((size_t)(forms) / 8 + 64 + 2 * CRITREG_LEARNER_DERIVED(forms))        \
             * (CRITREG_FEATURE_BYTES + 8 * (size_t)(instances))                \
-      + ((forms) / 16 < 512 ? (size_t)(forms) / 16 : 512)                      \
+      + CRITREG_LEARNER_SUMS(forms)                                            \
             * (CRITREG_SUM_BYTES + 8 * (size_t)(instances))                    \
       + (size_t)(instances) * CRITREG_INSTANCE_BYTES                           \
-      + (size_t)(forms)                                                        \
+      + ((size_t)(forms) + CRITREG_LEARNER_SUMS(forms))                        \
             * (CRITREG_SPAN_BYTES * (size_t)(steps)                            \
                + 16 * (((size_t)(observations) + 63) / 64))                    \
       + (size_t)(observations)                                                 \
@@ -767,7 +771,7 @@
  * Bytes of a learner that do not depend on its capacity, on a machine with
  * pointers of 32 bits; for CRITREG_LEARNER_WORDS.
  */
-#define CRITREG_LEARNER_FIXED_BYTES 22700
+#define CRITREG_LEARNER_FIXED_BYTES 23600
 
 /**
  * Bytes of a region, on a machine with pointers of 32 bits; for

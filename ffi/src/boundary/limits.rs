@@ -11,7 +11,7 @@ pub const CRITREG_DOMAIN_TEXT_MAX: usize = 2048;
 
 /// Bytes of a learner that do not depend on its capacity, on a machine with
 /// pointers of 32 bits; for CRITREG_LEARNER_WORDS.
-pub const CRITREG_LEARNER_FIXED_BYTES: usize = 22_700;
+pub const CRITREG_LEARNER_FIXED_BYTES: usize = 23_600;
 
 /// Bytes of a region, on a machine with pointers of 32 bits; for
 /// CRITREG_REGION_WORDS.

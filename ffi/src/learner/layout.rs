@@ -100,7 +100,7 @@ const fn promised(forms: usize, observations: usize, instances: usize, steps: us
         + (forms / 8 + 64 + 2 * derived) * (CRITREG_FEATURE_BYTES + 8 * instances)
         + sums * (CRITREG_SUM_BYTES + 8 * instances)
         + instances * CRITREG_INSTANCE_BYTES
-        + forms * per_form
+        + (forms + sums) * per_form
         + observations * (CRITREG_OBSERVATION_BYTES + 8 * lefts)
         + steps * CRITREG_STEP_BYTES
 }

@@ -146,7 +146,7 @@ impl<R: Real> Hypothesis<R> {
         for form in pool {
             let clauses = &self.clauses;
             let mut known = clauses.iter().flat_map(Clause::bounds);
-            let named = known.any(|bound| bound.form.index == form.index);
+            let named = known.any(|bound| bound.form.index() == form.index());
             let length = view.forms.bound_length(form, named);
             if let Some(cut) = cut(view, form, [&feasible, &infeasible], (worth, length))
                 && best.is_none_or(|best| cut.gain > best.gain)
@@ -253,8 +253,8 @@ fn cut<R: Real>(
     let [few, many] = MISSED;
     let missed = (feasible.len() / few).max(few).min(many);
     let mut ends: Vec<R, { MISSED[1] + 1 }> = Vec::new();
-    for sample in feasible.iter() {
-        let value = view.value(form, sample);
+    let values = view.column(form);
+    for value in values.of_all(feasible) {
         if ends.len() > missed {
             if ends.last().is_none_or(|last| value <= *last) {
                 continue;
@@ -266,8 +266,7 @@ fn cut<R: Real>(
         }
     }
     let mut counts = [0u32; MISSED[1] + 1];
-    for sample in infeasible.iter() {
-        let value = view.value(form, sample);
+    for value in values.of_all(infeasible) {
         let value = value - tolerance(value);
         if ends.last().is_none_or(|last| value <= *last) {
             continue;

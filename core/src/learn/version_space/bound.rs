@@ -28,6 +28,11 @@ pub(super) struct Bound<R> {
     pub(super) strain: R,
 }
 
+/// Whether a value is known to lie beyond an end: what is no number is not.
+fn is_beyond<R: Real>(value: R, end: R) -> bool {
+    value > end
+}
+
 /// An instance with samples on the wrong side.
 struct Stray<R> {
     instance: usize,
@@ -62,7 +67,7 @@ impl<R: Real> Bound<R> {
         range: R,
         slack: f64,
     ) -> Option<Self> {
-        let value = |sample: usize| view.value(&form, sample);
+        let values = view.column(&form);
         let last = view.last_feasible(&form);
         let first = view.first_of(&form, outside);
         let mut bound = Bound::new(form, last, first, range);
@@ -73,14 +78,30 @@ impl<R: Real> Bound<R> {
         if last - first >= zone + zone {
             return None;
         }
+        // Only samples between the ends of both sides can stray, and what is no number.
+        let (mut inside, mut below) = (SampleSet::EMPTY, R::NEG_INFINITY);
+        for sample in view.feasible.iter() {
+            let value = values.at(sample);
+            if value < first {
+                below = below.max(value);
+            } else {
+                inside.insert(sample);
+            }
+        }
+        let most = first + zone + zone;
+        let mut near = SampleSet::EMPTY;
+        for sample in outside.iter() {
+            if !is_beyond(values.at(sample), most) {
+                near.insert(sample);
+            }
+        }
         let mut best: Option<Self> = None;
-        let ends = outside.iter().map(value);
-        for outer in ends.filter(|end| *end <= first + zone + zone) {
-            let below = view.feasible.iter().map(value).filter(|v| *v < outer);
-            bound.inner = below.fold(R::NEG_INFINITY, R::max);
+        for outer in values.of_all(&near).filter(|end| *end <= most) {
+            let own = values.of_all(&inside).filter(|value| *value < outer);
+            bound.inner = own.fold(below, R::max);
             bound.outer = outer;
             let open = bound.inner.is_finite() && outer - bound.inner > tolerance(last);
-            if open && bound.measure_strain(view, outside, zone) {
+            if open && bound.measure_strain(view, [&inside, &near], zone) {
                 let better = best.is_none_or(|b| bound.strain < b.strain);
                 best = if better { Some(bound) } else { best };
             }
@@ -88,8 +109,14 @@ impl<R: Real> Bound<R> {
         best
     }
 
-    /// `false` if some instance strays too far.
-    fn measure_strain(&mut self, view: &StepView<'_, '_, R>, outside: &SampleSet, zone: R) -> bool {
+    /// What samples cost that stray, of feasible and other ones that may. `false` if some
+    /// instance strays too far.
+    fn measure_strain(
+        &mut self,
+        view: &StepView<'_, '_, R>,
+        [inside, outside]: [&SampleSet; 2],
+        zone: R,
+    ) -> bool {
         let forms = view.forms;
         let mut strays: Vec<Stray<R>, MAX_STRAYS> = Vec::new();
         let threshold = self.threshold(forms.tuning());
@@ -110,8 +137,8 @@ impl<R: Real> Bound<R> {
             };
             strays.push(stray).is_ok() && by <= zone
         };
-        let value = |sample: usize| view.value(&self.form, sample);
-        let inside = &view.feasible;
+        let values = view.column(&self.form);
+        let value = |sample: usize| values.at(sample);
         let fits = inside.iter().all(|s| note(s, value(s) - threshold))
             && outside.iter().all(|s| note(s, threshold - value(s)));
         if !fits {

@@ -38,6 +38,7 @@ impl<R: Real> Clause<R> {
         own: &SampleSet,
     ) -> Option<Self> {
         let [first, second] = forms;
+        view.note_look();
         let ends = [view.first_of(&first, own), view.first_of(&second, own)];
         let corner = view.corner([&first, &second], ends);
         let [inner, or_inner] = corner.filter(|c| c.iter().all(|end| end.is_finite()))?;
@@ -86,12 +87,12 @@ impl<R: Real> Clause<R> {
     pub(super) fn length(&self, forms: &Forms<'_, R>, others: [&[Clause<R>]; 2]) -> f64 {
         let named = |form: &DirectedForm| {
             let mut known = others.into_iter().flatten().flat_map(Clause::bounds);
-            known.any(|other| other.form.index == form.index)
+            known.any(|other| other.form.index() == form.index())
         };
         let first = &self.bound;
         let length = first.strain.to_f64() + forms.bound_length(&first.form, named(&first.form));
         let second = self.or.map(|or| {
-            let named = or.form.index == first.form.index || named(&or.form);
+            let named = or.form.index() == first.form.index() || named(&or.form);
             forms.bound_length(&or.form, named)
         });
         length + second.unwrap_or(0.0)
@@ -140,6 +141,7 @@ impl<R: Real> Clause<R> {
             return true;
         }
         let Bound { form, range, .. } = self.bound;
+        view.note_look();
         let fitted = Bound::between(view, form, own, range, slack);
         self.bound = fitted.unwrap_or(self.bound);
         fitted.is_some()

@@ -72,7 +72,7 @@ fn inequality<R: Real>(
     };
     Ok(Inequality {
         lhs,
-        comparison: if bound.form.upper {
+        comparison: if bound.form.upper() {
             Comparison::LessEqual
         } else {
             Comparison::GreaterEqual

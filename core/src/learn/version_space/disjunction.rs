@@ -20,23 +20,27 @@ const MAX_BEAM: usize = 24;
 /// Room for [`Tuning::interval_starts`].
 const MAX_STARTS: usize = 4;
 
-/// The disjunction that excludes most of `open` for its length.
+/// The disjunction that excludes most of `open` for its length, with what that is worth: the
+/// one that is known, or one that excludes a certain sample. There are a few of these, which
+/// are counted twice: first for intervals, then for pairs. `None` if there are no more.
 #[inline(never)]
-pub(super) fn best_disjunction<R: Real>(
+pub(super) fn better_disjunction<R: Real>(
     view: &StepView<'_, '_, R>,
     open: &SampleSet,
-) -> Option<Clause<R>> {
-    let mut best = Best::default();
+    place: usize,
+    known: Option<(f64, Clause<R>)>,
+) -> Option<Option<(f64, Clause<R>)>> {
+    let mut best = Best(known.map(|(worth, clause)| Candidate { worth, clause }));
     let pivots = view.forms.tuning().pivots as usize;
-    let every = open.len().div_ceil(pivots.max(1));
-    for pivot in open.iter().step_by(every.max(1)) {
-        let search = Search { view, open, pivot };
+    let every = open.len().div_ceil(pivots.max(1)).max(1);
+    let pivot = open.iter().step_by(every).nth(place / 2)?;
+    let search = Search { view, open, pivot };
+    if place.is_multiple_of(2) {
         search.offer_intervals(&mut best);
-        if let Some(start) = search.pair().0 {
-            search.offer_polished(&start, &mut best);
-        }
+    } else if let Some(start) = search.pair().0 {
+        search.offer_polished(&start, &mut best);
     }
-    best.0.map(|candidate| candidate.clause)
+    Some(best.0.map(|Candidate { worth, clause }| (worth, clause)))
 }
 
 /// Most intervals of a form that are looked at.
@@ -53,7 +57,7 @@ pub(super) fn best_windows<R: Real>(
     let tuning = view.forms.tuning();
     let (mut best, mut most) = (Vec::new(), 0.0);
     view.forms.for_each(tuning.pair_level as u8, |form| {
-        if !form.upper {
+        if !form.upper() {
             return;
         }
         let mut windows: Vec<(usize, Clause<R>), MAX_CLAUSES> = Vec::new();
@@ -85,11 +89,12 @@ fn excluded_around<R: Real>(
     pivot: usize,
     open: &mut SampleSet,
 ) -> Option<(usize, Clause<R>)> {
-    let at = view.value(&below, pivot);
+    let values = view.column(&below);
+    let at = values.at(pivot);
     let [low, high] = neighbours(view, &below, at);
     let mut inside = SampleSet::EMPTY;
     inside.insert(pivot);
-    let value = |sample: &usize| view.value(&below, *sample);
+    let value = |sample: &usize| values.at(*sample);
     for sample in open.iter().filter(|s| low < value(s) && value(s) < high) {
         inside.insert(sample);
     }
@@ -113,8 +118,7 @@ fn excluded_around<R: Real>(
 /// it.
 fn neighbours<R: Real>(view: &StepView<'_, '_, R>, form: &DirectedForm, at: R) -> [R; 2] {
     let (mut low, mut high) = (R::NEG_INFINITY, R::INFINITY);
-    for sample in view.feasible.iter() {
-        let value = view.value(form, sample);
+    for value in view.column(form).of_all(&view.feasible) {
         if value < at {
             low = low.max(value);
         } else {
@@ -167,7 +171,7 @@ impl<R: Real> Search<'_, '_, '_, R> {
         let tuning = self.tuning();
         let discount = |bound: &Bound<R>| Randomisation::GREEDY.discount(bound.form.level, tuning);
         let first = &clause.bound;
-        let second = clause.or.filter(|or| or.form.index != first.form.index);
+        let second = clause.or.filter(|or| or.form.index() != first.form.index());
         let second = second.map_or(0.0, |or| tuning.discount_second + discount(&or));
         let plainness = tuning.disjunction_plainness;
         Candidate {
@@ -183,7 +187,7 @@ impl<R: Real> Search<'_, '_, '_, R> {
         let starts = self.tuning().interval_starts as usize;
         let mut best: Vec<Candidate<R>, MAX_STARTS> = Vec::new();
         self.view.forms.for_each(u8::MAX, |below| {
-            let Some(new) = below.upper.then(|| self.interval(below)).flatten() else {
+            let Some(new) = below.upper().then(|| self.interval(below)).flatten() else {
                 return;
             };
             let same = |old: &Candidate<R>| old.clause.bound.form.lhs == below.lhs;
@@ -202,13 +206,14 @@ impl<R: Real> Search<'_, '_, '_, R> {
 
     /// The clause that excludes the interval of a form around the pivot.
     fn interval(&self, below: DirectedForm) -> Option<Candidate<R>> {
-        let value = |sample: usize| self.view.value(&below, sample);
-        let at = value(self.pivot);
+        let values = self.view.column(&below);
+        self.view.note_look();
+        let at = values.at(self.pivot);
         let [low, high] = neighbours(self.view, &below, at);
         if !(low.is_finite() && high.is_finite() && at < high) {
             return None;
         }
-        let inside = self.open.iter().map(value);
+        let inside = values.of_all(self.open);
         let excluded = inside.filter(|v| low < *v && *v < high).count();
         let clause = Clause::any_of(
             Bound::new(below, low, at, R::ONE),
@@ -235,11 +240,13 @@ impl<R: Real> Search<'_, '_, '_, R> {
     #[inline(never)]
     fn candidate(&self, forms: [DirectedForm; 2]) -> Option<Candidate<R>> {
         let [first, second] = forms;
-        let value = |form: &DirectedForm, sample| self.view.value(form, sample);
-        let at = [value(&first, self.pivot), value(&second, self.pivot)];
+        let columns = [self.view.column(&first), self.view.column(&second)];
+        self.view.note_look();
+        let [own, other] = &columns;
+        let at = [own.at(self.pivot), other.at(self.pivot)];
         let corner = self.view.corner([&first, &second], at);
         let [inner, or] = corner.filter(|c| c.iter().all(|end| end.is_finite()))?;
-        let beyond = |s: &usize| value(&first, *s) > inner && value(&second, *s) > or;
+        let beyond = |s: &usize| own.at(*s) > inner && other.at(*s) > or;
         let excluded = self.open.iter().filter(beyond).count();
         let [start, or_start] = at;
         let clause = Clause::any_of(
@@ -274,13 +281,13 @@ impl<R: Real> Search<'_, '_, '_, R> {
         let feasible = &self.view.feasible;
         let all = feasible.len();
         self.view.forms.for_each(level, |form| {
-            let start = self.view.value(&form, self.pivot);
-            let value = |sample: usize| self.view.value(&form, sample);
-            let inside = feasible.iter().filter(|s| value(*s) < start).count();
+            let values = self.view.column(&form);
+            let start = values.at(self.pivot);
+            let inside = values.of_all(feasible).filter(|v| *v < start).count();
             if inside == 0 || inside == all {
                 return;
             }
-            let outside = self.open.iter().filter(|s| value(*s) >= start).count();
+            let outside = values.of_all(self.open).filter(|v| *v >= start).count();
             insert_sorted(&mut best, beam, (inside * outside, form), |a, b| a.0 > b.0);
         });
         gather(best.iter().map(|(_, form)| *form))

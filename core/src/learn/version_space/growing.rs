@@ -5,6 +5,7 @@
 //! knows what follows from its observations and the instances that there are now, whenever
 //! they arrived.
 
+use super::selecting::Work;
 use super::selection::Selection;
 use super::telling::Since;
 use super::{Report, VersionSpace, certifying_calls, wanted};
@@ -68,6 +69,8 @@ impl<R: Real> VersionSpace<'_, R> {
         self.approximating = false;
         self.wanted = wanted(&self.config);
         self.selection = Selection::default();
+        self.work = Work::default();
+        self.forms.forget_work();
         self.observations.clear();
         self.trials
             .as_mut_slice()

@@ -8,7 +8,7 @@
 
 use super::bound::Bound;
 use super::clause::Clause;
-use super::disjunction::{best_disjunction, best_windows};
+use super::disjunction::{best_windows, better_disjunction};
 use super::forms::{Forms, SampleSet, StepView, tolerance};
 use super::greedy::{Randomisation, best_form};
 use crate::random::Generator;
@@ -76,9 +76,10 @@ impl<R: Real> Hypothesis<R> {
         self.extend(view, randomisation, slack, rng);
     }
 
-    /// As [`Hypothesis::cover`], with a disjunction behind the first `simple` clauses.
+    /// Begins as [`Hypothesis::cover`], and leaves the first `simple` clauses, behind which a
+    /// disjunction is to come.
     #[inline(never)]
-    pub(super) fn cover_with_disjunction(
+    pub(super) fn begin_disjunction(
         &mut self,
         view: &StepView<'_, '_, R>,
         simple: usize,
@@ -86,11 +87,37 @@ impl<R: Real> Hypothesis<R> {
     ) {
         self.cover(view, Randomisation::GREEDY, 0.0, rng);
         self.clauses.truncate(simple);
+    }
+
+    /// Looks for a better disjunction behind the first `simple` clauses; what is there is worth
+    /// so much. Where to look is counted, see [`better_disjunction`]. `false` if there is nothing
+    /// more to look at: then bounds follow.
+    #[inline(never)]
+    pub(super) fn try_disjunction(
+        &mut self,
+        view: &StepView<'_, '_, R>,
+        (simple, place): (usize, usize),
+        worth: &mut f64,
+        rng: &mut Generator,
+    ) -> bool {
+        let known = match self.clauses.len() > simple {
+            true => self.clauses.pop(),
+            false => None,
+        };
         let open = self.overlap(view).open;
-        if let Some(disjunction) = best_disjunction(view, &open) {
+        let better = better_disjunction(view, &open, place, known.map(|known| (*worth, known)));
+        let (found, goes_on) = match better {
+            Some(found) => (found, true),
+            None => (known.map(|known| (*worth, known)), false),
+        };
+        if let Some((more, disjunction)) = found {
+            *worth = more;
             let _ = self.clauses.push(disjunction);
         }
-        self.extend(view, Randomisation::GREEDY, 0.0, rng);
+        if !goes_on {
+            self.extend(view, Randomisation::GREEDY, 0.0, rng);
+        }
+        goes_on
     }
 
     /// As [`Hypothesis::cover`], behind the windows of a single form.
@@ -258,7 +285,7 @@ impl<R: Real> Hypothesis<R> {
     /// Whether it speaks of a form, by its place among the forms.
     pub(super) fn uses(&self, form: u32) -> bool {
         let mut bounds = self.clauses.iter().flat_map(Clause::bounds);
-        bounds.any(|bound| bound.form.index == form)
+        bounds.any(|bound| bound.form.index() == form)
     }
 
     /// Whether samples stray from its bounds.

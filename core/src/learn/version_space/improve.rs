@@ -24,34 +24,69 @@ impl<R: Real> Objective<'_, R> {
         let naming: f64 = hypothesis.clauses.iter().map(self.naming).sum();
         hypothesis.length(view.forms) + naming
     }
+
+    /// How good a hypothesis is: the least is best.
+    pub(super) fn rate(
+        &self,
+        hypothesis: &Hypothesis<R>,
+        view: &StepView<'_, '_, R>,
+    ) -> (bool, f64, f64) {
+        (
+            !hypothesis.consistent,
+            self.length(hypothesis, view),
+            hypothesis.looseness().to_f64(),
+        )
+    }
+}
+
+/// How far a hypothesis is improved: clause by clause, in rounds until nothing changes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Improving {
+    round: u8,
+    /// The next clause.
+    index: u8,
+    /// Whether one was replaced in this round.
+    replaced: bool,
+}
+
+impl Improving {
+    /// Replaces the next clause by a better one, if there is one, or ends a round. Tells
+    /// whether all is done.
+    pub(super) fn advance<R: Real>(
+        &mut self,
+        own: &mut Hypothesis<R>,
+        view: &StepView<'_, '_, R>,
+        objective: &Objective<'_, R>,
+    ) -> bool {
+        let index = usize::from(self.index);
+        if index < own.clauses.len() {
+            let better = own.better(view, index, objective);
+            if let (Some(better), Some(slot)) = (better, own.clauses.get_mut(index)) {
+                self.replaced = true;
+                *slot = better;
+            }
+            self.index += 1;
+            return false;
+        }
+        if self.replaced {
+            own.refit(view, objective.slack);
+        }
+        let shortened = own.shorten(view, objective);
+        let goes_on = self.replaced || shortened;
+        *self = Improving {
+            round: self.round + 1,
+            ..Improving::default()
+        };
+        !goes_on || usize::from(self.round) >= MAX_CLAUSES
+    }
 }
 
 impl<R: Real> Hypothesis<R> {
     /// Looks for a shorter one nearby: replaces clauses by better ones, and leaves out those
     /// that others nearly make superfluous.
     pub(super) fn improve(&mut self, view: &StepView<'_, '_, R>, objective: &Objective<'_, R>) {
-        for _ in 0..MAX_CLAUSES {
-            let improved = self.replace(view, objective);
-            let shortened = self.shorten(view, objective);
-            if !improved && !shortened {
-                return;
-            }
-        }
-    }
-
-    fn replace(&mut self, view: &StepView<'_, '_, R>, objective: &Objective<'_, R>) -> bool {
-        let mut improved = false;
-        for index in 0..self.clauses.len() {
-            let better = self.better(view, index, objective);
-            if let (Some(better), Some(slot)) = (better, self.clauses.get_mut(index)) {
-                improved = true;
-                *slot = better;
-            }
-        }
-        if improved {
-            self.refit(view, objective.slack);
-        }
-        improved
+        let mut improving = Improving::default();
+        while !improving.advance(self, view, objective) {}
     }
 
     /// The best clause for the place of one, if that is not the best.
@@ -72,11 +107,16 @@ impl<R: Real> Hypothesis<R> {
         let mut best = *old;
         let mut least = old.length(forms, others) + naming(old) - SHORTER;
         view.for_each_count(&alone, &mut |form, count| {
-            let mut new = Clause::new(Bound::inside(view, form));
-            let shortest = new.length(forms, others) - forms.threshold_length();
-            if count < needed || shortest >= least {
+            if count < needed {
                 return;
             }
+            view.note_length();
+            let mut new = Clause::new(Bound::new(form, R::INFINITY, R::INFINITY, R::ZERO));
+            let shortest = new.length(forms, others) - forms.threshold_length();
+            if shortest >= least {
+                return;
+            }
+            new.bound.inner = view.last_feasible(&form);
             // How far the form ranges only matters for samples on the wrong side.
             if count as usize != alone.len() {
                 new.bound.range = view.range(&form);

@@ -24,14 +24,14 @@ pub(super) const MAX_STEPS: usize = 4;
 ///
 /// | tables of [`Memory`] | bytes, numbers of 8 bytes |
 /// |---|---|
-/// | `intervals` | 16 per form tracked and step |
-/// | `exclusions` | 16 per form tracked and 64 observations |
+/// | `intervals` | 16 per form tracked, and sum if all are, and step |
+/// | `exclusions` | 16 per form tracked, and sum if all are, and 64 observations |
 /// | `features`, `rhs_features` | 18 per 8 forms, and 64 more |
 /// | `rhs_values` | 1 per form and instance, and 512 per instance |
 /// | `lhs_values`, `lhs`, `lefts` | [`Capacity::lhs`] times 8 per observation, and twice more |
 /// | `sums`, `sum_values` | 24 per sum, and 8 per sum and instance |
 /// | `ends`, `failures` | 16 per instance and per observation |
-/// | `hypotheses`, `approximations` | 5760 per step |
+/// | `hypotheses`, `approximations` | 5328 per step, and 592 |
 /// | `sample_sets` | 16 per step and 64 observations |
 /// | `trials` | 80 per question |
 /// | `region`, `evidence` | about 4200 |
@@ -143,12 +143,13 @@ impl Capacity {
         }
     }
 
-    /// Forms whose version space is tracked.
+    /// Forms whose version space is tracked; where all are, those with sums are among them,
+    /// behind the others.
     pub(super) const fn tracked(self) -> usize {
         if self.tracked < self.forms {
             self.tracked
         } else {
-            self.forms
+            self.forms + self.sums()
         }
     }
 
@@ -177,9 +178,9 @@ impl Capacity {
         self.questions
     }
 
-    /// Hypotheses: a committee for every step.
+    /// Hypotheses: a committee for every step, and a draft.
     pub const fn hypotheses(self) -> usize {
-        MEMBERS * self.steps
+        MEMBERS * self.steps + 1
     }
 
     /// Hypotheses that explain most answers: one for every step.

@@ -72,7 +72,7 @@
 //! | `bound`, `clause`, `hypothesis` | what a region is made of; `disjunction`, `greedy` and `improve` look for it |
 //! | `approximate`, `quality` | the best region where none is exact, and what a region is worth |
 //! | `committee` | the hypotheses that are known, and their votes |
-//! | `selection` | repairing and selecting hypotheses |
+//! | `selecting`, `selection` | selecting hypotheses bit by bit; repairing them, and what comes of a selection |
 //! | `describe`, `name` | clauses in words of the domain |
 //! | `choosing` | instances of a source that are learned from |
 //! | `open`, `telling`, `growing`, `thinning` | questions that are open; taking answers in; instances that arrive; logs that are longer than the table |
@@ -100,6 +100,7 @@ mod open;
 mod quality;
 mod query;
 mod report;
+mod selecting;
 mod selection;
 mod telling;
 mod thinning;
@@ -128,6 +129,8 @@ use crate::table::Table;
 use crate::wire::CHECKSUM;
 use committee::Committee;
 use forms::Forms;
+use hypothesis::Hypothesis as Draft;
+use selecting::Work;
 use selection::Selection;
 use telling::Since;
 
@@ -147,6 +150,9 @@ pub struct VersionSpace<'m, R> {
     /// Which share of it must work.
     wanted: f64,
     selection: Selection,
+    /// The selection that is under way, and the hypothesis that it is about.
+    work: Work,
+    draft: &'m mut Draft<R>,
     observations: Table<'m, Observation>,
     rng: Generator,
     /// The questions that are open, in the order in which they were asked.
@@ -201,10 +207,14 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         capacity.check()?;
         let mut memory = memory.cut(capacity)?;
         let forms = Forms::new(config.tuning, capacity, &mut memory);
+        const ROOM: Error = Error::InvalidArgument("a learner needs room for a region");
         let [region, ..] = memory.region else {
-            return Err(Error::InvalidArgument("a learner needs room for a region"));
+            return Err(ROOM);
         };
+        let (draft, hypotheses) = memory.hypotheses.split_last_mut().ok_or(ROOM)?;
         Ok(VersionSpace {
+            draft,
+            work: Work::default(),
             observations: Table::new(memory.observations, OBSERVATIONS),
             rng: generator(config.seed),
             needed_lead: needed_lead(config.noise, config.tuning.beyond_doubt),
@@ -216,7 +226,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             capacity,
             forms,
             lhs: memory.lhs,
-            committee: Committee::new(memory.hypotheses),
+            committee: Committee::new(hypotheses),
             selection: Selection::default(),
             trials: Table::new(memory.trials, "open questions"),
             serial: 0,

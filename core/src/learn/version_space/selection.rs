@@ -3,14 +3,13 @@
 use super::clause::Clause;
 use super::committee::Committee;
 use super::describe::{self, Description};
-use super::forms::{Effort, Forms, StepView};
+use super::forms::{Forms, StepView};
 use super::greedy::Randomisation;
 use super::hypothesis::Hypothesis;
 use super::improve::Objective;
 use super::{Certificate, Evidence, Step, VersionSpace};
 use crate::domain::Domain;
 use crate::error::Error;
-use crate::random::Generator;
 use crate::real::Real;
 use crate::table::{Blank, Table};
 
@@ -20,7 +19,7 @@ use crate::table::{Blank, Table};
 const FLATTERED: f64 = 128.0;
 
 /// With more samples fewer hypotheses compete: each takes longer, and there is less choice.
-const MANY: usize = 256;
+pub(super) const MANY: usize = 256;
 
 /// When the best hypotheses were selected last.
 #[derive(Clone, Copy, Debug, Default)]
@@ -31,6 +30,10 @@ pub(super) struct Selection {
     length: f64,
     /// How many samples there were.
     samples: usize,
+    /// Between how many answers it was done.
+    pub(super) slices: u32,
+    /// Whether the last phase can begin with them.
+    pub(super) last: bool,
 }
 
 impl Selection {
@@ -62,23 +65,29 @@ impl<R: Real> VersionSpace<'_, R> {
     }
 
     /// Replaces the members of the committee that are no longer consistent, except for the
-    /// best ones. They must agree with every answer: they are there to doubt, and one that
-    /// could bend to an answer would ask for it again.
+    /// best ones, until so much was done since the last answer; those that are left have no
+    /// vote. They must agree with every answer: they are there to doubt, and one that
+    /// could bend to an answer would ask for it again. Tells whether none is left.
     #[inline(never)]
-    pub(super) fn repair(&mut self) {
+    pub(super) fn repair(&mut self, most: u32) -> bool {
         let tuning = self.config.tuning;
+        let mut all = true;
         for (step, (best, others)) in self.committee.steps_mut() {
             let view = StepView::new(&self.forms, step);
-            let most = best.length(&self.forms) + tuning.rival;
+            let longest = best.length(&self.forms) + tuning.rival;
             for (member, hypothesis) in others.iter_mut().enumerate() {
                 hypothesis.refit(&view, 0.0);
-                if !hypothesis.consistent {
+                if !hypothesis.consistent && self.forms.work() < most {
                     let randomisation = Randomisation::of_member(member + 1, tuning);
                     hypothesis.cover(&view, randomisation, 0.0, &mut self.rng);
+                } else if !hypothesis.consistent {
+                    (all, hypothesis.rival) = (false, false);
+                    continue;
                 }
-                hypothesis.rival = hypothesis.length(&self.forms) <= most;
+                hypothesis.rival = hypothesis.length(&self.forms) <= longest;
             }
         }
+        all
     }
 
     /// Brings the best hypothesis of each step up to date, the shortest of all
@@ -97,6 +106,7 @@ impl<R: Real> VersionSpace<'_, R> {
                 continue;
             }
             (self.selection.current, moved) = (false, true);
+            self.selection.last = false;
             best.cover(&view, Randomisation::GREEDY, slack, &mut self.rng);
             for other in others {
                 other.refit(&view, 0.0);
@@ -148,24 +158,7 @@ impl<R: Real> VersionSpace<'_, R> {
         answers.sum::<f64>()
     }
 
-    /// Selects the best hypotheses anew and makes the region of them.
-    #[inline(never)]
-    pub(super) fn reselect(&mut self, domain: &Domain<'_>) {
-        if self.report.observed > 0 {
-            // What was told may not have been looked at.
-            self.repair_best();
-        }
-        self.select(domain);
-        for effort in [Effort::Simple, Effort::Thorough] {
-            if self.is_hopeless() || !self.find_sums(domain, effort) {
-                break;
-            }
-            self.select(domain);
-        }
-        self.finish_selection(domain, true);
-    }
-
-    /// The same with little effort, while observations come in: the best hypotheses are repaired
+    /// Selects with little effort, while observations come in: the best hypotheses are repaired
     /// and improved, but nothing else is looked for.
     #[inline(never)]
     pub(super) fn reselect_quickly(&mut self, domain: &Domain<'_>) {
@@ -174,20 +167,30 @@ impl<R: Real> VersionSpace<'_, R> {
         self.finish_selection(domain, false);
     }
 
-    fn finish_selection(&mut self, domain: &Domain<'_>, current: bool) {
+    /// Notes when the best hypotheses were selected, thoroughly or not, and writes the region.
+    pub(super) fn finish_selection(&mut self, domain: &Domain<'_>, thorough: bool) {
         self.selection = Selection {
-            current,
+            // Answers that came meanwhile may say otherwise.
+            current: thorough && self.selection.current,
             length: self.committee.length(&self.forms),
-            samples: self.forms.samples(),
+            samples: match thorough {
+                true => self.work.begun,
+                false => self.forms.samples(),
+            },
+            slices: match thorough {
+                true => self.work.slices,
+                false => self.selection.slices,
+            },
+            ..self.selection
         };
-        self.approximate(current);
+        self.approximate(thorough);
         self.rebuild_region(domain);
         self.judge_by_log();
     }
 
     /// Whether so much was told that what does not agree with it is not worth a longer search:
     /// some of it is wrong.
-    fn is_hopeless(&self) -> bool {
+    pub(super) fn is_hopeless(&self) -> bool {
         let many = self.report.observed > 0 && self.forms.samples() > MANY;
         many && !self.committee.is_consistent()
     }
@@ -264,37 +267,6 @@ impl<R: Real> VersionSpace<'_, R> {
     /// The clauses that make the region, each with its step.
     pub(super) fn shown_clauses(&self) -> impl Iterator<Item = (usize, &Clause<R>)> {
         with_steps(self.shown())
-    }
-
-    /// Repairs the committee and puts the shortest hypotheses first.
-    #[inline(never)]
-    fn select(&mut self, domain: &Domain<'_>) {
-        self.repair();
-        let (forms, committee) = (&self.forms, &mut self.committee);
-        select(domain, forms, committee, self.config.slack, &mut self.rng);
-    }
-
-    /// Looks for sums; with effort, for each step of which the best hypothesis is long or
-    /// samples stray from it. Tells whether there is such a step.
-    #[inline(never)]
-    fn find_sums(&mut self, domain: &Domain<'_>, effort: Effort) -> bool {
-        if self.capacity.sums() == 0 {
-            return false;
-        }
-        let (committee, approximations) = (&self.committee, &*self.approximations);
-        let most = self.config.tuning.short_sums;
-        let mut found = false;
-        for (step, best) in committee.best().enumerate() {
-            let agrees = best.consistent && !best.is_strained();
-            if effort == Effort::Thorough && agrees && best.length(&self.forms) <= most {
-                continue;
-            }
-            found = true;
-            let used =
-                |form| committee.uses(form) || approximations.iter().any(|own| own.uses(form));
-            self.forms.find_sums(domain, step, effort, &used);
-        }
-        found
     }
 
     /// Counts again how many samples support each constraint of the region.
@@ -385,60 +357,8 @@ fn note(evidence: &mut Table<'_, Evidence>, own: &[Evidence]) -> Result<(), Erro
     own.iter().try_for_each(|own| evidence.push(*own))
 }
 
-/// Puts the shortest of several improved hypotheses in the place of the best of
-/// each step.
-#[inline(never)]
-fn select<R: Real>(
-    domain: &Domain<'_>,
-    forms: &Forms<'_, R>,
-    committee: &mut Committee<'_, R>,
-    slack: f64,
-    rng: &mut Generator,
-) {
-    let tuning = forms.tuning();
-    let disjunctions = tuning.disjunctions as usize;
-    let candidates = tuning.candidates as usize * MANY / forms.samples().max(MANY);
-    let naming = |clause: &_| describe::naming_length(domain, forms, clause);
-    let objective = Objective {
-        slack,
-        naming: &naming,
-    };
-    let mut other = Hypothesis::BLANK;
-    for (step, (best, others)) in committee.steps_mut() {
-        let view = StepView::new(forms, step);
-        let mut least = rate(best, &view, &objective);
-        for candidate in 0..=candidates + disjunctions {
-            let (inconsistent, length, _) = least;
-            match (others.get(candidate), candidate.checked_sub(candidates)) {
-                (Some(known), _) => other.copy_from(known),
-                (None, None) => {
-                    let randomisation = Randomisation::of_member(candidate, tuning);
-                    other.cover(&view, randomisation, 0.0, rng);
-                }
-                (None, Some(simple)) if inconsistent || length > tuning.disjunctions_beyond => {
-                    if simple < disjunctions {
-                        other.cover_with_disjunction(&view, simple, rng);
-                    } else {
-                        other.cover_with_windows(&view, rng);
-                    }
-                }
-                _ => break,
-            }
-            if other.consistent {
-                let rating = rate(&mut other, &view, &objective);
-                // With windows enough anything can be explained.
-                let windows = candidate == candidates + disjunctions;
-                if rating < least && (!windows || rating.1 < entropy(&view)) {
-                    best.copy_from(&other);
-                    least = rating;
-                }
-            }
-        }
-    }
-}
-
 /// How many bits there are in the answers about a step.
-fn entropy<R: Real>(view: &StepView<'_, '_, R>) -> f64 {
+pub(super) fn entropy<R: Real>(view: &StepView<'_, '_, R>) -> f64 {
     let feasible = view.feasible.len() as f64;
     let infeasible = view.infeasible.len() as f64;
     let length = |own: f64| own * libm::log2((feasible + infeasible) / own.max(1.0));
@@ -461,21 +381,6 @@ fn improve_best<R: Real>(
     for (step, (best, _)) in committee.steps_mut() {
         best.improve(&StepView::new(forms, step), &objective);
     }
-}
-
-/// Improves a hypothesis, and tells how good it is: the least is best.
-fn rate<R: Real>(
-    hypothesis: &mut Hypothesis<R>,
-    view: &StepView<'_, '_, R>,
-    objective: &Objective<'_, R>,
-) -> (bool, f64, f64) {
-    hypothesis.improve(view, objective);
-    let length = objective.length(hypothesis, view);
-    (
-        !hypothesis.consistent,
-        length,
-        hypothesis.looseness().to_f64(),
-    )
 }
 
 #[cfg(test)]

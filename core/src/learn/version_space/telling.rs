@@ -25,7 +25,9 @@ pub(super) struct Since {
     pub(super) prepared: Option<Phase>,
     /// It was prepared for those of one before the last, or while no question was open.
     pub(super) early: bool,
-    /// It selected the best hypotheses anew after that.
+    /// It began to select the best hypotheses after that, as there was nothing left to ask.
+    pub(super) queued: bool,
+    /// It selected them at once after that.
     pub(super) concluded: bool,
     /// It was prepared for those of a last phase then, because so many questions were open.
     pub(super) late: u8,
@@ -33,13 +35,15 @@ pub(super) struct Since {
 
 const PREPARED: u16 = 1 << 3;
 const CONCLUDED: u16 = 1 << 4;
-/// From this bit on: how many questions were open.
+/// From this bit on, up to [`KEPT`]: how many questions were open.
 const LATE: u32 = 5;
+const QUEUED: u16 = 1 << 13;
 
 impl Since {
     pub(super) fn notes(self) -> u16 {
         let noted = |done, bit| if done { bit } else { 0 };
         noted(self.early, PREPARED)
+            | noted(self.queued, QUEUED)
             | noted(self.concluded, CONCLUDED)
             | u16::from(self.late) << LATE
     }
@@ -68,6 +72,7 @@ impl<R: Real> VersionSpace<'_, R> {
         self.observations.push(observation)?;
         // Nothing fails from here on: a call that fails changes nothing.
         self.since = Since::default();
+        self.forms.forget_work();
         self.reseed(Step::Learn);
         match asked {
             true => self.report.calls += 1,
@@ -174,10 +179,13 @@ impl<R: Real> VersionSpace<'_, R> {
         if notes & PREPARED != 0 {
             self.prepare(domain, 0);
         }
+        if notes & QUEUED != 0 {
+            self.queue_selection(domain);
+        }
         if notes & CONCLUDED != 0 {
             self.select_again(domain);
         }
-        let late = (notes & !KEPT) >> LATE;
+        let late = (notes & (KEPT - 1)) >> LATE;
         if late != 0 {
             self.prepare(domain, late.into());
         }
@@ -241,6 +249,7 @@ impl<R: Real> VersionSpace<'_, R> {
                 // Some of the calls that are left may find out what is wrong.
                 let again = f64::from(self.calls_left()) * self.config.tuning.certify_again;
                 (self.certifying, self.certify_from) = (false, again as u32);
+                self.selection.last = false;
                 self.outdate_draws();
                 self.rebuild_region(domain);
             }

@@ -196,6 +196,11 @@ tuning! {
     /// answers for long, selections would follow each other.
     patience: u32 = 8,
 
+    /// How much is done between two answers to select hypotheses, in looks at a form and 64
+    /// samples: the rest is done after the next ones. A look takes two or three nanoseconds on
+    /// a PC, so this is about a millisecond or two.
+    work: u32 = 800_000,
+
     /// Instances that candidates for a query are drawn in.
     query_instances: u32 = 12,
     /// Candidates in each.

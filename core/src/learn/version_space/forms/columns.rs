@@ -183,11 +183,13 @@ impl Columns {
         let own = |column: &&Column| column.kind == Kind::Size(dimension);
         let all = self.sizes.iter().filter(own);
         let relations = all.clone().filter(|column| column.relation).count();
+        let attributes = all.count() - relations;
+        let name = |count: usize| 2.0 + libm::log2f(count as f32);
         Sizes {
             columns: &self.sizes,
             dimension,
-            relations,
-            attributes: all.count() - relations,
+            relation: name(2 * relations),
+            attribute: name(attributes),
         }
     }
 }
@@ -207,8 +209,9 @@ enum Factors {
 struct Sizes<'c> {
     columns: &'c [Column],
     dimension: Dimension,
-    attributes: usize,
-    relations: usize,
+    /// What it takes to name an attribute, in bits, and what a relation.
+    attribute: f32,
+    relation: f32,
 }
 
 impl Sizes<'_> {
@@ -271,11 +274,10 @@ impl Sizes<'_> {
     fn for_each_term(&self, factors: Factors, visit: &mut dyn FnMut(usize, Term, f32)) {
         let columns = self.columns.iter().enumerate();
         for (index, column) in columns.filter(|(_, c)| c.kind == Kind::Size(self.dimension)) {
-            let count = match column.relation {
-                true => 2 * self.relations,
-                false => self.attributes,
+            let name = match column.relation {
+                true => self.relation,
+                false => self.attribute,
             };
-            let name = 2.0 + libm::log2f(count as f32);
             let mut term = |hundredths: i16, bits: f32| {
                 for hundredths in [hundredths, -hundredths] {
                     let term = Term {

@@ -2,6 +2,7 @@
 
 use super::{Interval, SampleSet};
 use crate::real::Real;
+use core::ops::Range;
 
 /// Bitmaps: for 64 samples after another, a word for each form bounded from below, then
 /// one for each form bounded from above. So neighbouring forms lie side by side.
@@ -38,6 +39,32 @@ impl<'m> Exclusions<'m> {
             below.fill(0);
             above.fill(0);
         }
+    }
+
+    /// Forgets what a form excludes.
+    pub(super) fn forget(&mut self, form: usize) {
+        let own = self.words.get_mut(form..).unwrap_or(&mut []);
+        for word in own.iter_mut().step_by(self.tracked.max(1)) {
+            *word = 0;
+        }
+    }
+
+    /// Notes on which sides a form excludes a sample.
+    pub(super) fn note(&mut self, form: usize, sample: usize, excludes: impl Fn(bool) -> bool) {
+        for upper in [false, true] {
+            let start = (2 * (sample / 64) + usize::from(upper)) * self.tracked;
+            if let Some(word) = self.words.get_mut(start + form).filter(|_| excludes(upper)) {
+                *word |= 1 << (sample % 64);
+            }
+        }
+    }
+
+    /// A word of neighbouring forms from one direction.
+    #[inline(always)]
+    pub(super) fn plane(&self, word: usize, upper: bool, forms: &Range<usize>) -> &[u64] {
+        let start = (2 * word + usize::from(upper)) * self.tracked;
+        let own = self.words.get(start + forms.start..start + forms.end);
+        own.unwrap_or(&[])
     }
 
     /// Takes out which of `infeasible`, the first `words` words of it, a form no longer

@@ -65,11 +65,10 @@ impl Run {
         let (lhs, level) = (self.lhs as u8, self.level as u8);
         let forms = self.forms.clone().zip(self.rhs.clone());
         forms.map(move |(index, rhs)| DirectedForm {
-            index: index as u32,
             rhs: rhs as u16,
             lhs,
             level,
-            upper,
+            ..DirectedForm::new(index, upper)
         })
     }
 }
@@ -77,27 +76,47 @@ impl Run {
 /// A form from one direction: what a bound bounds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in super::super) struct DirectedForm {
-    /// Its place among the forms.
-    pub(in super::super) index: u32,
+    /// Its place among the forms, twice, and one if it is bounded from above: there are many of
+    /// these.
+    pub(super) side: u32,
     pub(super) rhs: u16,
     /// Its left side, by its place among the left sides.
     pub(in super::super) lhs: u8,
     /// How complex its right side is, see [`LEVELS`].
     pub(in super::super) level: u8,
-    /// Whether it is bounded from above.
-    pub(in super::super) upper: bool,
 }
 
 impl DirectedForm {
+    /// In a place among the forms, from one direction, without its sides.
+    #[inline(always)]
+    pub(super) fn new(index: usize, upper: bool) -> Self {
+        DirectedForm {
+            side: 2 * index as u32 + u32::from(upper),
+            ..DirectedForm::default()
+        }
+    }
+
+    /// Its place among the forms.
+    #[inline(always)]
+    pub(in super::super) fn index(&self) -> u32 {
+        self.side / 2
+    }
+
+    /// Whether it is bounded from above.
+    #[inline(always)]
+    pub(in super::super) fn upper(&self) -> bool {
+        self.side % 2 == 1
+    }
+
     /// A value of the form such that larger is further out. Its own inverse.
     pub(in super::super) fn outward<R: Real>(&self, value: R) -> R {
-        if self.upper { value } else { -value }
+        if self.upper() { value } else { -value }
     }
 
     /// The same form from the other direction.
     pub(in super::super) fn reversed(self) -> DirectedForm {
         DirectedForm {
-            upper: !self.upper,
+            side: self.side ^ 1,
             ..self
         }
     }

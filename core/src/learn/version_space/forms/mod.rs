@@ -47,12 +47,13 @@ use crate::learn::{Problem, Query};
 use crate::real::Real;
 use crate::region::Theta;
 use crate::table::{Blank, Table};
+use core::cell::Cell;
 use core::mem::take;
 use exclusions::Exclusions;
 use layout::{Layout, Places};
 use left::Tier;
 use sums::Sums;
-use values::Values;
+use values::{Column, Values};
 
 /// Most left sides, half of them derived ones.
 pub(super) const MAX_LHS: usize = u128::BITS as usize;
@@ -136,6 +137,10 @@ pub(super) struct Forms<'m, R> {
     sample_sets: &'m mut [u64],
     /// What it takes to name a form of each level and a direction, in bits.
     level_length: [f64; LEVELS],
+    /// What it takes to name a threshold, in bits: asked for very often.
+    threshold_length: f64,
+    /// How much work was done since the last answer, in looks at a form.
+    work: Cell<u32>,
 }
 
 impl<'m, R: Real> Forms<'m, R> {
@@ -184,6 +189,8 @@ impl<'m, R: Real> Forms<'m, R> {
             exclusions,
             sample_sets,
             level_length: [0.0; LEVELS],
+            threshold_length: 0.0,
+            work: Cell::new(0),
         }
     }
 
@@ -208,6 +215,7 @@ impl<'m, R: Real> Forms<'m, R> {
         self.sample_sets.fill(0);
         self.sums.slots.fill(Sum::BLANK);
         self.values.samples.clear();
+        self.threshold_length = 0.0;
     }
 
     /// Whether there is room for the instances of a problem, and each makes a scene, but for
@@ -464,13 +472,21 @@ impl<'m, R: Real> Forms<'m, R> {
 
     /// The value of a form from one direction at a sample that was taken in.
     pub(super) fn value_at(&self, form: &DirectedForm, sample: usize) -> R {
-        if form.level == SUM_LEVEL {
-            let lhs = self.values.lhs_at(form.lhs.into(), sample);
-            let instance = self.values.instance_of(sample);
-            return self.with_lhs(form, instance, lhs.unwrap_or(R::NAN));
+        self.column(form).at(sample)
+    }
+
+    /// The values of a form from one direction at the samples.
+    #[inline(always)]
+    pub(super) fn column(&self, form: &DirectedForm) -> Column<'_, R> {
+        let column = Column::of(&self.values, form);
+        if form.level != SUM_LEVEL {
+            return column;
         }
-        let value = self.values.at(form.lhs.into(), form.rhs.into(), sample);
-        form.outward(value)
+        Column {
+            rhs: self.sums.in_slot(usize::from(form.rhs)),
+            rhs_step: 1,
+            ..column
+        }
     }
 
     /// The feasible or the infeasible samples of a step.
@@ -536,7 +552,25 @@ impl<'m, R: Real> Forms<'m, R> {
 
     /// The length of a threshold's description, among those that the samples tell apart.
     pub(super) fn threshold_length(&self) -> f64 {
-        libm::log2((self.samples() + 1) as f64)
+        self.threshold_length
+    }
+
+    /// How much work was done since the last answer.
+    pub(super) fn work(&self) -> u32 {
+        self.work.get()
+    }
+
+    /// Counts work: looks at a form and 64 samples, or what takes as long. It is the same
+    /// whatever is tracked.
+    #[inline(always)]
+    fn add_work(&self, looks: usize) {
+        let looks = u32::try_from(looks).unwrap_or(u32::MAX);
+        self.work.set(self.work.get().saturating_add(looks));
+    }
+
+    /// An answer comes: work is counted anew.
+    pub(super) fn forget_work(&self) {
+        self.work.set(0);
     }
 
     /// How many samples there are.

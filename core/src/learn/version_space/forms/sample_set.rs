@@ -93,13 +93,17 @@ impl SampleSet {
 
     /// Its samples, ascending.
     pub(in super::super) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
-        self.words.iter().enumerate().flat_map(|(index, word)| {
-            let mut left = *word;
-            core::iter::from_fn(move || {
-                let next = left.trailing_zeros();
-                left &= left.wrapping_sub(1);
-                (next < u64::BITS).then_some(64 * index + next as usize)
-            })
+        let mut words = self.words.iter();
+        // The first sample of the next word, and what is left of the one before.
+        let (mut next, mut left) = (0, 0u64);
+        core::iter::from_fn(move || {
+            while left == 0 {
+                left = *words.next()?;
+                next += 64;
+            }
+            let bit = left.trailing_zeros() as usize;
+            left &= left - 1;
+            Some(next - 64 + bit)
         })
     }
 }

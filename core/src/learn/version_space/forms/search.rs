@@ -18,6 +18,10 @@ use heapless::Vec;
 /// Sums that are offered of each left side and direction.
 const OF_EACH: usize = 6;
 
+/// How many looks at forms that are tracked take as long as one at the right side of a sum in
+/// an instance, and at what fails there.
+const RIGHT_SIDE: usize = 3;
+
 /// What the samples of an instance say about a left side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End<R> {
@@ -52,34 +56,51 @@ impl<R: Real> Blank for Failure<R> {
 }
 
 impl<R: Real> Forms<'_, R> {
-    /// Looks for sums that exclude many infeasible samples of a step, and keeps the best,
-    /// beside those that are still `used`.
+    /// Begins a search for sums that exclude many infeasible samples of a step, or brings it up
+    /// to date; those that are `used` are kept in any case. `false` if there is nothing to
+    /// exclude.
     #[inline(never)]
-    pub(in super::super) fn find_sums(
+    pub(in super::super) fn begin_search(
         &mut self,
-        domain: &Domain<'_>,
         step: usize,
-        effort: Effort,
+        anew: bool,
         used: &dyn Fn(u32) -> bool,
-    ) {
+    ) -> bool {
         let first = self.sums.first;
         for (slot, sum) in self.sums.slots.iter_mut().enumerate() {
-            sum.kept &= used((first + slot) as u32);
+            sum.used = used((first + slot) as u32);
+            sum.kept &= sum.used || !anew;
         }
-        if self.sums.slots.is_empty() || !self.sort_failures(step) {
-            return;
-        }
+        !self.sums.slots.is_empty() && self.sort_failures(step)
+    }
+
+    /// Looks for sums from a side of a left side on, until so much work was done, and keeps the
+    /// best. The sides are counted; returns the next one.
+    #[inline(never)]
+    pub(in super::super) fn search(
+        &mut self,
+        domain: &Domain<'_>,
+        (step, effort): (usize, Effort),
+        from: usize,
+        most: u32,
+    ) -> Option<usize> {
         let columns = self.columns(domain);
-        for lhs in 0..self.lefts.len() {
-            for upper in [true, false] {
-                if let Some(left) = self.lefts.as_slice().get(lhs).copied()
-                    && self.view_left(step, lhs, upper)
-                {
-                    let best = self.best_of(&left, lhs, upper, &columns, effort);
-                    self.keep(&best, used);
-                }
+        let mut next = None;
+        for side in from..2 * self.lefts.len() {
+            if side > from && self.work() >= most {
+                next = Some(side);
+                break;
+            }
+            let (lhs, upper) = (side / 2, side.is_multiple_of(2));
+            if let Some(left) = self.lefts.as_slice().get(lhs).copied()
+                && self.view_left(step, lhs, upper)
+            {
+                let best = self.best_of(&left, lhs, upper, &columns, effort);
+                self.keep(&best);
             }
         }
+        self.evaluate_new_sums();
+        next
     }
 
     /// Sorts the infeasible samples of a step by instance; `false` if there are none.
@@ -152,6 +173,7 @@ impl<R: Real> Forms<'_, R> {
             if length >= longest {
                 return longest - base;
             }
+            self.add_work(RIGHT_SIDE * self.ends.len());
             let count = self.count_excluded(&terms, upper);
             if count > 0 {
                 let sum = Sum {
@@ -160,6 +182,8 @@ impl<R: Real> Forms<'_, R> {
                     worth: count as f32 / length,
                     lhs: lhs as u8,
                     kept: true,
+                    used: false,
+                    new: true,
                 };
                 insert(&mut best, sum);
             }
@@ -200,8 +224,7 @@ impl<R: Real> Forms<'_, R> {
         };
         let form = super::DirectedForm {
             lhs: lhs as u8,
-            upper,
-            ..super::DirectedForm::default()
+            ..super::DirectedForm::new(0, upper)
         };
         let class = self.class_length(&form);
         (1.0 + libm::log2(2.0 * alike as f64) + tier + class) as f32
@@ -237,21 +260,19 @@ impl<R: Real> Forms<'_, R> {
     }
 
     /// Keeps sums in slots that are free or hold something worth less.
-    fn keep(&mut self, best: &[Sum], used: &dyn Fn(u32) -> bool) {
+    fn keep(&mut self, best: &[Sum]) {
         for (rank, sum) in best.iter().enumerate() {
             // The best one of each left side comes before the second of any.
             let sum = Sum {
                 worth: sum.worth - 1e3 * rank as f32,
                 ..*sum
             };
-            let first = self.sums.first;
             let same = |own: &Sum| own.kept && own.lhs == sum.lhs && own.terms == sum.terms;
             if let Some(own) = self.sums.slots.iter_mut().find(|own| same(own)) {
                 own.worth = own.worth.max(sum.worth);
                 continue;
             }
-            let slots = self.sums.slots.iter_mut().enumerate();
-            let free = slots.filter(|(slot, _)| !used((first + slot) as u32));
+            let free = self.sums.slots.iter_mut().filter(|own| !own.used);
             let worth = |own: &Sum| {
                 if own.kept {
                     own.worth
@@ -259,12 +280,11 @@ impl<R: Real> Forms<'_, R> {
                     f32::NEG_INFINITY
                 }
             };
-            let worst = free.reduce(|a, b| if worth(b.1) < worth(a.1) { b } else { a });
-            if let Some((slot, own)) = worst
+            let worst = free.reduce(|a, b| if worth(b) < worth(a) { b } else { a });
+            if let Some(own) = worst
                 && worth(own) < sum.worth
             {
                 *own = sum;
-                self.sums.evaluate(slot, &self.values);
             }
         }
     }

@@ -1,7 +1,12 @@
 //! The forms as they look at the samples of one step.
 
-use super::{DirectedForm, Forms, SampleSet};
+use super::{Column, DirectedForm, Forms, SampleSet};
 use crate::real::Real;
+
+/// How many looks at what is tracked take as long as one at a value, and as one at what it
+/// takes to name a form.
+const VALUE: usize = 4;
+const LENGTH: usize = 16;
 
 /// The forms, and the feasible and infeasible samples of one step of a sequence of actions:
 /// what a hypothesis about that step is made of.
@@ -35,10 +40,26 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
         self.forms.value_at(form, sample)
     }
 
+    /// Counts that the length of a form was looked at.
+    pub(in super::super) fn note_length(&self) {
+        self.forms.add_work(LENGTH);
+    }
+
+    /// Counts that the values of a form were looked at.
+    pub(in super::super) fn note_look(&self) {
+        self.forms.add_work(VALUE * self.forms.samples());
+    }
+
+    /// The values of a form at the samples, outwards.
+    #[inline(always)]
+    pub(in super::super) fn column(&self, form: &DirectedForm) -> Column<'v, R> {
+        self.forms.column(form)
+    }
+
     /// The least value of a form in a set.
     pub(in super::super) fn first_of(&self, form: &DirectedForm, set: &SampleSet) -> R {
-        let values = set.iter().map(|sample| self.value(form, sample));
-        values.fold(R::INFINITY, R::min)
+        let column = self.column(form);
+        column.of_all(set).fold(R::INFINITY, R::min)
     }
 
     /// How far a form ranges over the feasible samples.
@@ -48,15 +69,13 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
 
     /// How far a form ranges over the samples.
     pub(in super::super) fn range(&self, form: &DirectedForm) -> R {
-        let samples = self.feasible.iter().chain(self.infeasible.iter());
-        let (low, high) = samples.fold((R::INFINITY, R::NEG_INFINITY), |(low, high), sample| {
-            let value = self.value(form, sample);
-            if value.is_finite() {
-                (low.min(value), high.max(value))
-            } else {
-                (low, high)
+        let column = self.column(form);
+        let (mut low, mut high) = (R::INFINITY, R::NEG_INFINITY);
+        for set in [&self.feasible, &self.infeasible] {
+            for value in column.of_all(set).filter(|value| value.is_finite()) {
+                (low, high) = (low.min(value), high.max(value));
             }
-        });
+        }
         high - low
     }
 
@@ -66,8 +85,9 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
     pub(in super::super) fn corner(&self, forms: [&DirectedForm; 2], at: [R; 2]) -> Option<[R; 2]> {
         let [first, second] = forms;
         let [end, or_end] = at;
+        let columns = (self.column(first), self.column(second));
         let values = || {
-            let own = |sample| (self.value(first, sample), self.value(second, sample));
+            let own = |sample| (columns.0.at(sample), columns.1.at(sample));
             self.feasible.iter().map(own)
         };
         let (mut inner, mut or) = (R::NEG_INFINITY, R::NEG_INFINITY);

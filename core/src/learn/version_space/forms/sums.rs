@@ -51,6 +51,10 @@ pub struct Sum {
     pub(super) lhs: u8,
     /// Whether it is kept: whether there is something in this slot.
     pub(super) kept: bool,
+    /// Whether a hypothesis speaks of what is in this slot.
+    pub(super) used: bool,
+    /// Whether it was not evaluated yet.
+    pub(super) new: bool,
 }
 
 impl Blank for Sum {
@@ -60,6 +64,8 @@ impl Blank for Sum {
         worth: 0.0,
         lhs: 0,
         kept: false,
+        used: false,
+        new: false,
     };
 }
 
@@ -85,23 +91,45 @@ impl<R: Real> Sums<'_, R> {
         self.values.get(slot * self.instances + instance).copied()
     }
 
+    /// The right side of a sum in all instances.
+    #[inline(always)]
+    pub(super) fn in_slot(&self, slot: usize) -> &[R] {
+        let start = slot * self.instances;
+        self.values
+            .get(start..start + self.instances)
+            .unwrap_or(&[])
+    }
+
     /// The sums that are kept, from one direction.
     pub(super) fn directed(&self, upper: bool) -> impl Iterator<Item = DirectedForm> {
         let kept = (0u16..).zip(self.slots.iter()).filter(|(_, sum)| sum.kept);
         kept.map(move |(slot, sum)| DirectedForm {
-            index: self.first as u32 + u32::from(slot),
             rhs: slot,
             lhs: sum.lhs,
             level: SUM_LEVEL,
-            upper,
+            ..DirectedForm::new(self.first + usize::from(slot), upper)
         })
+    }
+
+    /// The form in a slot, bounded from above, and whether it was not evaluated yet; if there
+    /// is one.
+    pub(super) fn form_in(&self, slot: usize) -> Option<(DirectedForm, bool)> {
+        let sum = self.slots.get(slot).filter(|sum| sum.kept)?;
+        let form = DirectedForm {
+            rhs: slot as u16,
+            lhs: sum.lhs,
+            level: SUM_LEVEL,
+            ..DirectedForm::new(self.first + slot, true)
+        };
+        Some((form, sum.new))
     }
 
     /// Evaluates the right side of a slot in all instances.
     pub(super) fn evaluate(&mut self, slot: usize, values: &Values<'_, R>) {
-        let Some(sum) = self.slots.get(slot) else {
+        let Some(sum) = self.slots.get_mut(slot) else {
             return;
         };
+        sum.new = false;
         let right_side = RightSide::of(&sum.terms, true);
         let own = self.values.chunks_exact_mut(self.instances.max(1));
         for (instance, value) in own.into_iter().nth(slot).into_iter().flatten().enumerate() {

@@ -1,7 +1,8 @@
 //! Taking samples in: S grows, and what each form excludes follows.
 
-use super::{Forms, Interval, Origin, tolerance};
+use super::{DirectedForm, Forms, Interval, Origin, tolerance};
 use crate::real::Real;
+use crate::table::Blank;
 
 /// Neighbouring forms that are looked at together: in most blocks nothing changes.
 const TOGETHER: usize = 16;
@@ -36,6 +37,7 @@ impl<R: Real> Forms<'_, R> {
     ) {
         let sample = self.samples();
         self.values.push(instance, origin, lhs);
+        self.threshold_length = libm::log2((self.samples() + 1) as f64);
         if sample.is_multiple_of(64) {
             self.exclusions.clear(sample / 64);
         }
@@ -79,6 +81,67 @@ impl<R: Real> Forms<'_, R> {
                 }
             }
         }
+        self.generalise_sums(instance, lhs, step);
+    }
+
+    /// The same for sums.
+    fn generalise_sums(&mut self, instance: usize, lhs: &[R], step: usize) {
+        let infeasible = self.sample_set(step, false);
+        let words = self.words();
+        let (values, sums) = (&self.values, &self.sums);
+        let intervals = self
+            .intervals
+            .get_mut(step * self.tracked..self.tracked * (step + 1));
+        let own = intervals.and_then(|own| own.get_mut(sums.first..));
+        for (slot, interval) in own.unwrap_or(&mut []).iter_mut().enumerate() {
+            let Some((form, _)) = sums.form_in(slot) else {
+                continue;
+            };
+            let rhs = |instance| sums.value(slot, instance).unwrap_or(R::NAN);
+            let left = usize::from(form.lhs);
+            let value = lhs.get(left).copied().unwrap_or(R::NAN) - rhs(instance);
+            let value_at = |sample| {
+                let lhs = values.lhs_at(left, sample).unwrap_or(R::NAN);
+                lhs - rhs(values.instance_of(sample))
+            };
+            while let Some(upper) = interval.include(value) {
+                let (form, open) = (form.index() as usize, (&infeasible, words));
+                self.exclusions.admit(form, interval, upper, open, value_at);
+            }
+        }
+    }
+
+    /// Evaluates sums that were found, and tells them of the samples if they are tracked.
+    pub(super) fn evaluate_new_sums(&mut self) {
+        for slot in 0..self.sums.capacity() {
+            if let Some((form, true)) = self.sums.form_in(slot) {
+                self.sums.evaluate(slot, &self.values);
+                if (form.index() as usize) < self.tracked {
+                    self.track(&form);
+                }
+            }
+        }
+    }
+
+    /// Finds S of a form in all steps, and what it excludes.
+    fn track(&mut self, form: &DirectedForm) {
+        let (tracked, index) = (self.tracked.max(1), form.index() as usize);
+        self.exclusions.forget(index);
+        for step in 0..self.intervals.len() / tracked {
+            let mut interval = Interval::<R>::BLANK;
+            for value in self.column(form).of_all(&self.sample_set(step, true)) {
+                interval.low = interval.low.min(value);
+                interval.high = interval.high.max(value);
+            }
+            for sample in self.sample_set(step, false).iter() {
+                let value = self.value_at(form, sample);
+                self.exclusions
+                    .note(index, sample, |upper| interval.excludes(value, upper));
+            }
+            if let Some(own) = self.intervals.get_mut(step * tracked + index) {
+                *own = interval;
+            }
+        }
     }
 
     /// Notes which of the forms that are tracked exclude an infeasible sample.
@@ -103,6 +166,16 @@ impl<R: Real> Forms<'_, R> {
                 *below |= bit & mask(value + rounding < interval.low);
                 *above |= bit & mask(value - rounding > interval.high);
             }
+        }
+        let sums = intervals.get(self.sums.first..tracked).unwrap_or(&[]);
+        for (slot, interval) in sums.iter().enumerate() {
+            let Some((form, _)) = self.sums.form_in(slot) else {
+                continue;
+            };
+            let own = lhs.get(usize::from(form.lhs)).copied().unwrap_or(R::NAN);
+            let value = own - self.sums.value(slot, instance).unwrap_or(R::NAN);
+            let note = |upper| interval.excludes(value, upper);
+            self.exclusions.note(form.index() as usize, sample, note);
         }
     }
 }

@@ -1,6 +1,5 @@
 //! Draws from the region, to certify it.
 
-use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::question::Purpose;
 use crate::learn::version_space::VersionSpace;
@@ -13,10 +12,14 @@ const JUDGED: usize = 4;
 
 impl<R: Real> VersionSpace<'_, R> {
     /// Selects the region that draws are to certify, before the first.
-    pub(super) fn prepare_to_certify(&mut self, domain: &Domain<'_>) {
-        if !self.certifying {
-            self.certifying = true;
-            self.reselect(domain);
+    pub(super) fn prepare_to_certify(&mut self) {
+        if self.certifying {
+            return;
+        }
+        // It may have been selected in time.
+        match core::mem::take(&mut self.selection.last) {
+            true => self.certifying = true,
+            false => self.select_for_last(),
         }
     }
 
@@ -28,15 +31,20 @@ impl<R: Real> VersionSpace<'_, R> {
 
     /// Selects the region that is judged, and another one if it turns out not to be as good
     /// as wanted.
-    pub(super) fn prepare_to_judge(&mut self, domain: &Domain<'_>) {
+    pub(super) fn prepare_to_judge(&mut self) {
+        if self.is_selecting() {
+            return self.select_for_last();
+        }
         let upper = self.report.precision_at_most(self.config.confidence);
         let refuted = upper.is_some_and(|upper| upper < self.config.precision_wanted);
         if !self.certifying || refuted {
             if refuted {
                 self.wanted += 0.5 * (1.0 - self.wanted);
             }
-            self.certifying = true;
-            self.reselect(domain);
+            match core::mem::take(&mut self.selection.last) && !self.certifying {
+                true => self.certifying = true,
+                false => self.select_for_last(),
+            }
         }
     }
 

@@ -111,13 +111,13 @@ impl<R: Real> Strategy<'_, '_, R> {
 impl<'m, R: Real> VersionSpace<'m, R> {
     /// Brings what is known up to date for the next questions, once after an answer, and once
     /// more if so many are open that the last phase begins. All that choosing them changes
-    /// happens here, but for a selection by [`VersionSpace::select_again`].
+    /// happens here, but for a selection by [`VersionSpace::queue_selection`].
     #[inline(never)]
     pub(super) fn prepare(&mut self, domain: &Domain<'_>, open: u32) -> Phase {
         let phase = self.phase(open);
         let late = open > 0 && phase.is_last();
         match self.since.prepared {
-            Some(known) if !late || known.is_last() => return known,
+            Some(known) if !late || known.is_last() || self.since.late > 0 => return known,
             _ => {}
         }
         match late {
@@ -129,17 +129,41 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             // What was told meanwhile may not have been looked at.
             self.repair_best();
         }
+        let selecting = self.is_selecting();
+        if selecting {
+            self.repair(self.config.tuning.work);
+        }
         match phase {
             Phase::Search => {}
-            Phase::Judge => self.prepare_to_judge(domain),
-            Phase::Certify => self.prepare_to_certify(domain),
+            Phase::Judge => self.prepare_to_judge(),
+            Phase::Certify => self.prepare_to_certify(),
+            Phase::Doubt if selecting => {}
+            Phase::Doubt if self.is_time_for_last(open) => self.begin_selection(true),
             Phase::Doubt if self.is_doubtful() || self.is_time_to_approximate() => {
-                self.reselect(domain);
+                self.begin_selection(false);
             }
-            Phase::Doubt => self.repair(),
+            Phase::Doubt => {
+                self.repair(self.config.tuning.work);
+            }
         }
+        if self.is_selecting() {
+            self.go_on(domain, self.config.tuning.work);
+        }
+        // The last phase begins when the region is selected that it is about.
+        let phase = match phase.is_last() && !self.certifying {
+            true => Phase::Doubt,
+            false => phase,
+        };
         self.since.prepared = Some(phase);
         phase
+    }
+
+    /// Whether the last phase would begin before a selection comes to its end that begins now,
+    /// if it takes as long as the one before.
+    fn is_time_for_last(&self, open: u32) -> bool {
+        let slices = self.selection.slices.saturating_sub(1);
+        let soon = self.phase(open.saturating_add(slices)).is_last();
+        soon && !self.certifying && !self.selection.last
     }
 
     /// What the next question is about while so many are open.
@@ -233,9 +257,9 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             if strategy.committee_query(lhs, rng, query)? {
                 return Ok(true);
             }
-            if !self.selection.current {
-                // Nothing is left to ask: is there a better hypothesis to be doubted?
-                self.select_again(problem.domain());
+            // Nothing is left to ask: is there a better hypothesis to be doubted?
+            let doubts = !self.selection.current && !self.is_selecting();
+            if doubts && self.queue_selection(problem.domain()) {
                 let (strategy, lhs) = self.strategy(problem);
                 if strategy.committee_query(lhs, rng, query)? {
                     return Ok(true);
