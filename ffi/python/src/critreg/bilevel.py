@@ -267,6 +267,8 @@ class World:
     def planner(self, state: Any, **options: Any) -> Planner:
         """A planner for the task of a state."""
         options.setdefault("state_len", len(self.numbers(state)))
+        # There is no bound of steps in the framework, but one of each controller.
+        options.setdefault("max_actions", MAX_OBJECTS * self._max_steps)
         planner = Planner(self.domain, self.problem(state), **options)
         for action, ranges in self._ranges.items():
             if ranges:
