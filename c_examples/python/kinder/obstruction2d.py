@@ -4,9 +4,9 @@ ENVIRONMENT = "kinder/Obstruction2D-o{}-v0"
 COUNTED = "num_obstructions"
 VARIANTS = [0, 1, 2, 4]
 TRAINING = [0, 1]
+REFUSED = 0
 LEARNING = {
-    "learner": {"calls": 120, "forms": 8192},
-    "chained": 100,
+    "learner": {"calls": 200, "forms": 8192},
     "situations": 32,
     "states": 32,
     "way": 4,
@@ -57,15 +57,8 @@ object target_surface { x: length, y: length, width: length, height: length }
 shape target_surface = rectangle(target_surface.width, target_surface.height)
 relate robot, spot, target_surface, other_rectangle, room
 """
-# Another block is picked later.
-PLACE_THEN_PICK = MOVE + """
-object later_rectangle { x: length, y: length, width: length, height: length }
-shape later_rectangle = rectangle(later_rectangle.width, later_rectangle.height)
-relate robot, spot, later_rectangle, other_rectangle, room
-"""
 TEXTS = {
     "PickController": PICK,
     "PlaceOnTableController": PLACE_ON_TABLE,
     "PlaceOnTargetController": PLACE_ON_TARGET,
-    ("PlaceOnTableController", "PickController"): PLACE_THEN_PICK,
 }

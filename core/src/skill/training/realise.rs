@@ -117,8 +117,7 @@ impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
             return Ok((Some(self.initial.clone()), 0));
         }
         // What lacks least is the shortest way, and shows the controller in its plainest use.
-        let lacking =
-            |ground: &GroundOperator| ground.preconditions.difference(initial).len();
+        let lacking = |ground: &GroundOperator| ground.preconditions.difference(initial).len();
         let most = own().map(lacking).max().unwrap_or(0);
         let nearest_first = (1..=most).flat_map(|count| own().filter(move |g| lacking(g) == count));
         let mut runs = 0;
