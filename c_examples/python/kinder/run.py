@@ -45,13 +45,15 @@ def learn(world, skills):
             name = skills[training.skill].name
             told(f"{name}: {training.runs} runs of controllers, {seconds:.0f} s")
 
-    skills.learn(world.execute, world.holds, world.sample, progress)
+    skills.learn(world.practise, world.holds, world.sample, progress)
     return time.perf_counter() - start
 
 
 def ours(world, skills, state, seed):
     """Whether it is solved, samples, steps of the plan."""
-    planner = world.planner(state, lookahead=32, patience=2000, max_samples=300)
+    planner = world.planner(
+        state, lookahead=32, patience=4000, max_samples=60, max_tries=3, nodes=20000
+    )
     try:
         world.plan(state, skills, seed, planner)
     except critreg.NoPlan as why:
@@ -123,7 +125,7 @@ def main():
     text = environment.text
     variants = options.variants or text.VARIANTS
     models = environment.of_all(sorted({*text.TRAINING, *variants}))
-    world = World(models, text.TEXTS)
+    world = World(models, text.TEXTS, refused=text.REFUSED)
     skills = untaught(world, environment, options.tasks)
     if options.load:
         with open(options.load, "rb") as file:

@@ -182,8 +182,8 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
         Ok(None)
     }
 
-    /// Takes the first that waits. If patience is at its end, or nothing else is left,
-    /// that is the empty sequence again.
+    /// Takes the first that waits. If patience is at its end, or nothing is left, that is
+    /// the empty sequence again.
     fn pop(&mut self, metrics: &mut Metrics<'_>) -> Result<Option<Waiting>, Error> {
         if metrics.is_patience_spent(&self.config) {
             self.begin_without_advice(metrics)?;
@@ -193,7 +193,14 @@ impl<'m, T: Rng + Clone, const N: usize> Search<'m, T, N> {
             return Ok(first);
         }
         if metrics.is_advised() {
-            self.begin_without_advice(metrics)?;
+            match first {
+                // Advice is about the way to a state: another way there may pass.
+                Some(aside) => {
+                    self.open.push(aside)?;
+                    self.widen();
+                }
+                None => self.begin_without_advice(metrics)?,
+            }
             return Ok(self.open.pop());
         }
         self.raise(first, metrics)

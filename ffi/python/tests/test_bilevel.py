@@ -6,6 +6,8 @@ import types
 import unittest
 from typing import Any
 
+from critreg import Ground
+
 try:
     from critreg.bilevel import World
 except ImportError:  # Without NumPy, which the framework needs.
@@ -148,6 +150,21 @@ class Worlds(unittest.TestCase):
         names = [skill.name for skill in skills]
         self.assertEqual(names, ["DriveController-back", "DriveController-forth"])
         self.assertLessEqual(samples, 24)
+
+    def test_what_is_refused_too_often_fails_in_training(self):
+        def stopped(state, by):
+            after = moved(state, by)
+            return state if after[cart]["x"] > 0.6 else after
+
+        own = models()
+        own.transition_fn = stopped
+        world = World(own, {"DriveController": WHOLE}, refused=0)
+        numbers = world.numbers(State({cart: {"x": 0.0}, mark: {"x": 0.5, "width": 0.2}}))
+        drive = Ground("Drive", ("cart", "mark"))
+        # It is stopped half way, where it happens to be on the mark.
+        self.assertIsNotNone(world.execute(drive, [1.0], numbers))
+        self.assertIsNone(world.practise(drive, [1.0], numbers))
+        self.assertIsNotNone(world.practise(drive, [0.5], numbers))
 
     def test_wrong_names_are_told(self):
         with self.assertRaisesRegex(ValueError, "no controller Fly, but DriveController"):

@@ -116,14 +116,22 @@ impl<'t, 'o, E: Practice> RestrictedTask<'t, 'o, E> {
         if own().any(|ground| ground.is_applicable(initial)) {
             return Ok((Some(self.initial.clone()), 0));
         }
+        // What lacks least is the shortest way, and shows the controller in its plainest use.
+        let lacking = |ground: &GroundOperator| ground.preconditions.difference(initial).len();
+        let most = own().map(lacking).max().unwrap_or(0);
+        let nearest_first = (1..=most).flat_map(|count| own().filter(move |g| lacking(g) == count));
         let mut runs = 0;
-        for ground in own() {
+        for ground in nearest_first {
+            let left = self.way.saturating_sub(runs);
+            if left == 0 {
+                break;
+            }
             let mut planner = Planner {
                 world: &mut self.world(),
                 sampler: &mut RegionSampler::from_library(self.environment, self.known.0),
                 guide: &mut RegionGuide::from_known(self.environment, self.known, self.initial),
                 config: Config {
-                    max_samples: self.way,
+                    max_samples: left,
                     ..Config::default()
                 },
             };

@@ -78,9 +78,14 @@ class World:
         models: Any,
         texts: Texts,
         max_steps: int = 100,
+        refused: Optional[int] = None,
     ) -> None:
+        """`refused` is for simulators that leave a state as it is where an action would end
+        in a collision: a controller of which more actions than so many change nothing counts
+        as failed in training, though it may have done what it promises by the way.
+        """
         self.models = models
-        self._texts, self._max_steps = texts, max_steps
+        self._texts, self._max_steps, self._refused = texts, max_steps, refused
         self._controllers = list(_controllers(models, texts))
         self._actions = {action.name: action for own in self._controllers for action in own.actions}
         self._ranges = {
@@ -175,6 +180,18 @@ class World:
         self._ways[int(after[-1])] = way
         return after, len(way[1])
 
+    def practise(
+        self, ground: Ground, parameters: Sequence[float], numbers: Sequence[float]
+    ) -> Optional[tuple[list[float], int]]:
+        """As `execute`, in training."""
+        done = self.execute(ground, parameters, numbers)
+        if done is None or self._refused is None:
+            return done
+        states, actions = self._ways[int(done[0][-1])]
+        steps = zip(actions, states, states[1:])
+        idle = sum(bool(numpy.any(own) and one == next_one) for own, one, next_one in steps)
+        return None if idle > self._refused else done
+
     def run(
         self, ground: Ground, parameters: Sequence[float], state: Any, rng: Any
     ) -> Optional[tuple[list[Any], list[Any]]]:
@@ -244,7 +261,7 @@ class World:
         """Skills, learned from tasks that begin in these states; the options are those of
         `Skills`."""
         skills = self.skills(initial, **options)
-        skills.learn(self.execute, self.holds, self.sample, progress)
+        skills.learn(self.practise, self.holds, self.sample, progress)
         return skills
 
     def skills(self, initial: Sequence[Any], /, **options: Any) -> Skills:
@@ -267,6 +284,8 @@ class World:
     def planner(self, state: Any, **options: Any) -> Planner:
         """A planner for the task of a state."""
         options.setdefault("state_len", len(self.numbers(state)))
+        # There is no bound of steps in the framework, but one of each controller.
+        options.setdefault("max_actions", MAX_OBJECTS * self._max_steps)
         planner = Planner(self.domain, self.problem(state), **options)
         for action, ranges in self._ranges.items():
             if ranges:
