@@ -73,6 +73,11 @@ impl<'m, R: Real> Committee<'m, R> {
         self.hypotheses.iter().step_by(MEMBERS)
     }
 
+    /// That of one step.
+    pub(super) fn best_of(&self, step: usize) -> Option<&Hypothesis<R>> {
+        self.hypotheses.get(step * MEMBERS)
+    }
+
     /// The clauses of the best hypotheses, each with its step.
     pub(super) fn best_clauses(&self) -> impl Iterator<Item = (usize, &Clause<R>)> {
         let all = self.best().enumerate();

@@ -33,7 +33,7 @@ pub(super) fn better_disjunction<R: Real>(
     let mut best = Best(known.map(|(worth, clause)| Candidate { worth, clause }));
     let pivots = view.forms.tuning().pivots as usize;
     let every = open.len().div_ceil(pivots.max(1)).max(1);
-    let pivot = open.iter().step_by(every).nth(place / 2)?;
+    let pivot = open.iter().nth(place / 2 * every)?;
     let search = Search { view, open, pivot };
     if place.is_multiple_of(2) {
         search.offer_intervals(&mut best);

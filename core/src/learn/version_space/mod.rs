@@ -129,7 +129,6 @@ use crate::table::Table;
 use crate::wire::CHECKSUM;
 use committee::Committee;
 use forms::Forms;
-use hypothesis::Hypothesis as Draft;
 use selecting::Work;
 use selection::Selection;
 use telling::Since;
@@ -152,7 +151,7 @@ pub struct VersionSpace<'m, R> {
     selection: Selection,
     /// The selection that is under way, and the hypothesis that it is about.
     work: Work,
-    draft: &'m mut Draft<R>,
+    draft: &'m mut Hypothesis<R>,
     observations: Table<'m, Observation>,
     rng: Generator,
     /// The questions that are open, in the order in which they were asked.
@@ -207,11 +206,11 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         capacity.check()?;
         let mut memory = memory.cut(capacity)?;
         let forms = Forms::new(config.tuning, capacity, &mut memory);
-        const ROOM: Error = Error::InvalidArgument("a learner needs room for a region");
-        let [region, ..] = memory.region else {
-            return Err(ROOM);
+        let ([region, ..], Some((draft, hypotheses))) =
+            (memory.region, memory.hypotheses.split_last_mut())
+        else {
+            return Err(Error::InvalidArgument("a learner needs room for a region"));
         };
-        let (draft, hypotheses) = memory.hypotheses.split_last_mut().ok_or(ROOM)?;
         Ok(VersionSpace {
             draft,
             work: Work::default(),

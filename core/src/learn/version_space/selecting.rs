@@ -282,7 +282,7 @@ impl<R: Real> VersionSpace<'_, R> {
             };
             return;
         }
-        let Some(best) = self.committee.best().nth(step) else {
+        let Some(best) = self.committee.best_of(step) else {
             let stage = match self.work.found {
                 true => Stage::Repair(round + 1),
                 false => Stage::Conclude,

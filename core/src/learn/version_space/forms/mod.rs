@@ -555,24 +555,6 @@ impl<'m, R: Real> Forms<'m, R> {
         self.threshold_length
     }
 
-    /// How much work was done since the last answer.
-    pub(super) fn work(&self) -> u32 {
-        self.work.get()
-    }
-
-    /// Counts work: looks at a form and 64 samples, or what takes as long. It is the same
-    /// whatever is tracked.
-    #[inline(always)]
-    fn add_work(&self, looks: usize) {
-        let looks = u32::try_from(looks).unwrap_or(u32::MAX);
-        self.work.set(self.work.get().saturating_add(looks));
-    }
-
-    /// An answer comes: work is counted anew.
-    pub(super) fn forget_work(&self) {
-        self.work.set(0);
-    }
-
     /// How many samples there are.
     pub(super) fn samples(&self) -> usize {
         self.values.samples.len()

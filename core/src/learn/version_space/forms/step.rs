@@ -113,3 +113,23 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
         Some([inner, or])
     }
 }
+
+impl<R: Real> Forms<'_, R> {
+    /// How much work was done since the last answer.
+    pub(in super::super) fn work(&self) -> u32 {
+        self.work.get()
+    }
+
+    /// Counts work: looks at a form and 64 samples, or what takes as long. It is the same
+    /// whatever is tracked.
+    #[inline(always)]
+    pub(super) fn add_work(&self, looks: usize) {
+        let looks = u32::try_from(looks).unwrap_or(u32::MAX);
+        self.work.set(self.work.get().saturating_add(looks));
+    }
+
+    /// An answer comes: work is counted anew.
+    pub(in super::super) fn forget_work(&self) {
+        self.work.set(0);
+    }
+}
