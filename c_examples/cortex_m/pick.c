@@ -10,7 +10,6 @@
 #include "machine.h"
 #include "print.h"
 
-#define FORMS 1024
 #define OBSERVATIONS 128
 #define NUMBERS 13              /* numbers of an instance; checked in main */
 #define TRAINING 4              /* instances to learn from */
@@ -18,6 +17,9 @@
 #define DRAWS 5
 
 /* What is computed with, how much is kept, and where; the Makefile has another choice. */
+#ifndef FORMS
+#define FORMS 1024
+#endif
 #ifndef PRECISION
 #define PRECISION CRITREG_F64
 #define TRACKED UINT32_MAX

@@ -7,14 +7,16 @@
     ((forms) < 16 ? (size_t)0 : CRITREG_LEARNER_PLAIN(forms))
 #define CRITREG_LEARNER_PLAIN(forms)                                           \
     (16 + ((forms) / 128 < 48 ? (size_t)(forms) / 128 : (size_t)48))
+#define CRITREG_LEARNER_SUMS(forms)                                            \
+    ((forms) / 16 < 512 ? (size_t)(forms) / 16 : (size_t)512)
 #define CRITREG_LEARNER_WORDS_FOR(forms, observations, instances, steps)  \
     ((CRITREG_LEARNER_FIXED_BYTES + CRITREG_HANDLE_POINTERS * sizeof(void *)   \
       + ((size_t)(forms) / 8 + 64 + 2 * CRITREG_LEARNER_DERIVED(forms))        \
             * (CRITREG_FEATURE_BYTES + 8 * (size_t)(instances))                \
-      + ((forms) / 16 < 512 ? (size_t)(forms) / 16 : 512)                      \
+      + CRITREG_LEARNER_SUMS(forms)                                            \
             * (CRITREG_SUM_BYTES + 8 * (size_t)(instances))                    \
       + (size_t)(instances) * CRITREG_INSTANCE_BYTES                           \
-      + (size_t)(forms)                                                        \
+      + ((size_t)(forms) + CRITREG_LEARNER_SUMS(forms))                        \
             * (CRITREG_SPAN_BYTES * (size_t)(steps)                            \
                + 16 * (((size_t)(observations) + 63) / 64))                    \
       + (size_t)(observations)                                                 \
@@ -66,7 +68,7 @@
 #define CRITREG_HAS_LEARNER (1 << 6)
 #define CRITREG_HAS_PLANNER (1 << 7)
 #define CRITREG_DOMAIN_TEXT_MAX 2048
-#define CRITREG_LEARNER_FIXED_BYTES 22700
+#define CRITREG_LEARNER_FIXED_BYTES 23600
 #define CRITREG_REGION_FIXED_BYTES 12544
 #define CRITREG_HANDLE_POINTERS 656
 #define CRITREG_OBSERVATION_BYTES 76

@@ -7,7 +7,7 @@ use super::lifted::Region;
 use super::parameters::{ParameterSet, Theta, Vector, single};
 use crate::domain::{Domain, MAX_PARAMETERS};
 use crate::error::Error;
-use crate::random::uniform_real;
+use crate::random::{Generator, uniform_real};
 use crate::real::Real;
 use rand_core::Rng;
 
@@ -49,6 +49,30 @@ impl Region {
         let mut grounded = Grounded::<R>::blank(self, domain, instance);
         grounded.compute()?;
         grounded.sample(rng)
+    }
+
+    /// Visits so many draws in one instance, fewer if there is none.
+    ///
+    /// # Errors
+    /// Those of [`Region::ground`].
+    pub(crate) fn visit_draws<R: Real>(
+        &self,
+        domain: &Domain<'_>,
+        instance: &[f64],
+        count: u32,
+        rng: &mut Generator,
+        visit: &mut dyn FnMut(Theta),
+    ) -> Result<(), Error> {
+        let mut grounded = Grounded::<R>::blank(self, domain, instance);
+        grounded.compute()?;
+        for _ in 0..count {
+            match grounded.sample(rng) {
+                Ok(theta) => visit(theta),
+                Err(Error::EmptyRegion | Error::NoSample) => break,
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
     }
 }
 

@@ -44,19 +44,16 @@ impl<R: Real> Strategy<'_, '_, R> {
         for _ in 0..tuning.query_instances {
             let instance = below(rng, problem.count());
             let values = problem.instance(instance)?;
-            let region = self.region.ground::<R>(problem.domain(), values)?;
-            for _ in 0..tuning.query_candidates {
-                let theta = match region.sample(rng) {
-                    Ok(theta) => theta,
-                    Err(Error::EmptyRegion | Error::NoSample) => break,
-                    Err(error) => return Err(error),
-                };
+            let mut visit = |theta| {
                 let own = Query { instance, theta };
                 let distance = self.distance(&own);
                 if most.is_none_or(|most| distance > most) {
                     (most, *query) = (Some(distance), own);
                 }
-            }
+            };
+            let (domain, count) = (problem.domain(), tuning.query_candidates);
+            self.region
+                .visit_draws::<R>(domain, values, count, rng, &mut visit)?;
         }
         Ok(most.is_some())
     }
