@@ -4,7 +4,8 @@ use crate::pddl::{GRIPPER, operators};
 use critreg::Error;
 use critreg::pddl::{Domain, Fact, Grounding, Problem};
 use critreg::plan::{
-    AbstractTask, Conclusion, Config, Draw, Drawn, Planner, Room, Sampler, Unguided, World,
+    AbstractTask, Advice, Conclusion, Config, Draw, Drawn, Guide, Planner, ReasonId, Room, Sampler,
+    Skeleton, Unguided, World,
 };
 use critreg::random::generator;
 use critreg::task::{AtomSet, GroundOperator, OperatorId};
@@ -18,9 +19,20 @@ struct Planned {
     cost: u32,
     nodes: u32,
     repeated: u32,
+    /// Whether it was given up to follow the guide.
+    unadvised: bool,
 }
 
-fn plan([domain, problem]: [&str; 2], parameters: usize, skeletons_per_state: u32) -> Planned {
+fn plan(texts: [&str; 2], parameters: usize, skeletons_per_state: u32) -> Planned {
+    plan_with(texts, parameters, skeletons_per_state, &mut Unguided)
+}
+
+fn plan_with(
+    [domain, problem]: [&str; 2],
+    parameters: usize,
+    skeletons_per_state: u32,
+    guide: &mut impl Guide<2>,
+) -> Planned {
     let domain = Domain::parse(domain).unwrap();
     let mut facts = [Fact::default(); 64];
     let problem = Problem::parse(&domain, problem, &mut facts).unwrap();
@@ -35,7 +47,7 @@ fn plan([domain, problem]: [&str; 2], parameters: usize, skeletons_per_state: u3
     let mut planner = Planner {
         world: &mut Symbols { parameters },
         sampler: &mut Symbols { parameters },
-        guide: &mut Unguided,
+        guide,
         config: Config {
             skeletons_per_state,
             ..Config::default()
@@ -57,6 +69,7 @@ fn plan([domain, problem]: [&str; 2], parameters: usize, skeletons_per_state: u3
         cost: plan.iter().map(|o| o.cost).sum(),
         nodes: planned.metrics.nodes_created,
         repeated: planned.metrics.repeated,
+        unadvised: planned.metrics.advised.is_some(),
     }
 }
 
@@ -81,6 +94,37 @@ fn four_balls_are_a_graph() {
         few.nodes,
         tree.nodes
     );
+}
+
+/// Postpones the first whole sequence it is asked about.
+#[derive(Default)]
+struct NotTheFirst(Vec<u16>);
+
+impl Guide for NotTheFirst {
+    fn judge(&mut self, prefix: Skeleton<'_>) -> Advice {
+        if self.0.is_empty() && prefix.len() == 3 {
+            self.0 = prefix.places().to_vec();
+        }
+        match prefix.places() == self.0 {
+            true => Advice::Postpone(ReasonId(0)),
+            false => Advice::Keep,
+        }
+    }
+}
+
+/// A guide speaks of the way: where the first way to a state is postponed, the next one is tried
+/// before advice is given up.
+#[test]
+fn another_way_to_a_state_is_tried_with_advice() {
+    let domain = "(define (domain doors) (:predicates (left) (right) (through))
+        (:action open-left :effect (left)) (:action open-right :effect (right))
+        (:action pass :precondition (and (left) (right)) :effect (through)))";
+    let problem = "(define (problem p) (:domain doors) (:init) (:goal (through)))";
+    let mut guide = NotTheFirst::default();
+    let planned = plan_with([domain, problem], 1, 1, &mut guide);
+    assert_eq!(planned.conclusion, Conclusion::Solved);
+    assert_eq!((guide.0.len(), planned.plan.len()), (3, 3));
+    assert!(!planned.unadvised && planned.repeated > 0);
 }
 
 /// No action brings the drone back, though nothing in the text says so at once.
