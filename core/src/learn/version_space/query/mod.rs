@@ -129,9 +129,16 @@ impl<'m, R: Real> VersionSpace<'m, R> {
             // What was told meanwhile may not have been looked at.
             self.repair_best();
         }
+        // What explains nothing late in a run has no time to wait for a selection bit by bit: what
+        // is nearly right has to be judged yet.
+        let urgent = self.is_time_to_approximate() && !self.is_explained();
+        let most = match urgent {
+            true => u32::MAX,
+            false => self.config.tuning.work,
+        };
         let selecting = self.is_selecting();
         if selecting {
-            self.repair(self.config.tuning.work);
+            self.repair(most);
         }
         match phase {
             Phase::Search => {}
@@ -143,11 +150,11 @@ impl<'m, R: Real> VersionSpace<'m, R> {
                 self.begin_selection(false);
             }
             Phase::Doubt => {
-                self.repair(self.config.tuning.work);
+                self.repair(most);
             }
         }
         if self.is_selecting() {
-            self.go_on(domain, self.config.tuning.work);
+            self.go_on(domain, most);
         }
         // The last phase begins when the region is selected that it is about.
         let phase = match phase.is_last() && !self.certifying {
