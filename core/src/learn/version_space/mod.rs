@@ -377,7 +377,10 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
             *to = *from;
         }
         let used = own.theta.get(..parameters.len()).unwrap_or_default();
+        // All that can be wrong with it is found out before others make room for it.
         problem.domain().check_parameters(used)?;
+        problem.instance(own.instance)?;
+        self.check_step(outcome)?;
         self.check_room()?;
         self.make_room(problem)?;
         // It has no number: nobody waits for an answer.

@@ -131,7 +131,8 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         }
         // What explains nothing late in a run has no time to wait for a selection bit by bit: what
         // is nearly right has to be judged yet.
-        let urgent = self.is_time_to_approximate() && !self.is_explained();
+        let late_and_unexplained = self.is_time_to_approximate() && !self.is_explained();
+        let urgent = late_and_unexplained || phase == Phase::Judge;
         let most = match urgent {
             true => u32::MAX,
             false => self.config.tuning.work,
