@@ -216,6 +216,18 @@ fn misuse_is_refused_and_changes_nothing() {
     learner.observe(&problem, &known, Outcome::Unknown).unwrap();
     assert_eq!(learner.report().unknown, 1);
 
+    // Nothing goes to make room for what is refused.
+    let mut rng = generator(5);
+    while learner.observations().len() < learner.room() {
+        let query = anywhere(&mut rng, INSTANCES);
+        let outcome = fits(&problem, &query);
+        learner.observe(&problem, &query, outcome).unwrap();
+    }
+    for (query, outcome) in refused {
+        assert!(learner.observe(&problem, &query, outcome).is_err());
+        assert_eq!(learner.observations().len(), learner.room());
+    }
+
     let domain = pick::domain();
     let instances = pick::instances(1, 1);
     let problem = Problem::new(&domain, &instances, 1).unwrap();

@@ -381,6 +381,7 @@ impl<R: Real> Learner for VersionSpace<'_, R> {
         problem.domain().check_parameters(used)?;
         problem.instance(own.instance)?;
         self.check_step(outcome)?;
+        Observation::new(&own, outcome)?;
         self.check_room()?;
         self.make_room(problem)?;
         // It has no number: nobody waits for an answer.
