@@ -67,7 +67,7 @@ pub fn plan<'m, E: Environment, R: Rng + Clone>(
     plan_as(Config::default(), grounding, initial, advice, numbers, room)
 }
 
-/// As [`plan`], with a configuration.
+/// As [`plan()`], with a configuration.
 ///
 /// # Errors
 /// Those of [`Planner::plan`].
