@@ -11,3 +11,4 @@ pub mod plan;
 pub mod report;
 pub mod room;
 pub mod text;
+pub mod trying;

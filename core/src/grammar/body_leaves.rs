@@ -1,6 +1,6 @@
 //! The features without arithmetic that are about bodies.
 
-use super::leaves::{Visit, places, say, say_least, shown};
+use super::leaves::{Visit, moving, places, say, say_least, shown};
 use crate::domain::{Beam, Domain, Point, Quantity};
 use crate::geometry::{Axis, Relation};
 
@@ -136,7 +136,7 @@ fn are_of_one_body(domain: &Domain<'_>, [a, b]: [u8; 2]) -> bool {
 /// third thing that stands. What one of the ends is placed in is left out, because the end
 /// moves with it or is a part of it.
 fn sights(domain: &Domain<'_>, visit: Visit<'_>) {
-    for (a, start) in places(domain).filter(|(a, _)| domain.is_displaced(*a)) {
+    for (a, start) in moving(domain) {
         for (b, end) in places(domain).filter(|(b, _)| !domain.is_displaced(*b)) {
             // Key points and members of groups would be too many ends.
             let is_single = end.part.is_empty() && end.member.is_none();

@@ -2,7 +2,7 @@
 
 use super::body_leaves::offs;
 use super::features::{Features, feature_id};
-use super::leaves::{folded_angles, places, vertex_angles};
+use super::leaves::{folded_angles, moving, places, shown, vertex_angles};
 use crate::domain::{
     Coordinate, Dimension, Domain, Extreme, Metric, Node, NodeId, Point, Quantity, Share,
 };
@@ -69,11 +69,8 @@ impl<R: Real> Features<'_, R> {
         }
         let axes = [Axis::X, Axis::Y, Axis::Z];
         let axes = axes.get(..domain.axes()).unwrap_or(&axes);
-        let single =
-            |(index, point): &(u8, &Point<'_>)| point.member.is_none() && !domain.is_hidden(*index);
-        let placed = |(a, _): &(u8, &Point<'_>)| domain.names_place(*a);
-        for (a, first) in (0u8..).zip(domain.points()).filter(single).filter(placed) {
-            for (b, second) in (0u8..).zip(domain.points()).filter(single) {
+        for (a, first) in places(domain).filter(is_single) {
+            for (b, second) in shown(domain).filter(is_single) {
                 if domain.coincide(a, b)
                     || !second.has_heading()
                     || !domain.is_oriented(b)
@@ -93,9 +90,7 @@ impl<R: Real> Features<'_, R> {
 
     /// Distances from the members of groups, minus a share of a size that each has.
     fn derive_gaps(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
-        let moving = places(domain)
-            .filter(|(index, point)| domain.is_displaced(*index) && point.member.is_none());
-        for (a, _) in moving {
+        for (a, _) in moving(domain).filter(is_single) {
             for (b, point) in places(domain).filter(|(_, p)| p.is_object() && !p.sampled) {
                 let first = point.member.filter(|member| member.index == 0);
                 let sizes = (0u8..).zip(domain.slots()).filter(|(slot, (object, own))| {
@@ -180,12 +175,9 @@ impl<R: Real> Features<'_, R> {
         if domain.axes() < 2 {
             return;
         }
-        let single = |(_, point): &(u8, &Point<'_>)| point.member.is_none();
-        for (a, _) in places(domain)
-            .filter(single)
-            .filter(|(a, _)| domain.is_displaced(*a))
-        {
-            for (b, _) in places(domain).filter(single).filter(|(_, p)| p.is_object()) {
+        for (a, _) in moving(domain).filter(is_single) {
+            let stands = places(domain).filter(is_single);
+            for (b, _) in stands.filter(|(_, point)| point.is_object()) {
                 let along = |metric| Node::Quantity(Quantity::Distance(metric, a, b));
                 let operands = [Metric::X, Metric::Y].map(|metric| self.operand(along(metric)));
                 if let [Some(x), Some(y)] = operands {
@@ -204,6 +196,11 @@ impl<R: Real> Features<'_, R> {
         let place = self.nodes().iter().position(|own| *own == node);
         place.map(feature_id)
     }
+}
+
+/// Whether a point is no member of a group.
+fn is_single((_, point): &(u8, &Point<'_>)) -> bool {
+    point.member.is_none()
 }
 
 /// The attributes that do not place an object, except those of groups.

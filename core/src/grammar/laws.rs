@@ -60,19 +60,14 @@ impl<R: Real> Features<'_, R> {
     /// is none, parameters make areas and volumes.
     pub(super) fn derive_laws(&mut self, domain: &Domain<'_>, visit: VisitId<'_>) {
         let scene_is_plain = sizes(domain).any(|(_, own)| own == Dimension::None);
-        let no_length = |own: Dimension| matches!(own, Dimension::None | Dimension::Area);
-        let laws = match scene_is_plain {
-            true => &LAWS[..],
-            false if sizes(domain).any(|(_, own)| no_length(own)) => &LAWS[..PRODUCTS],
-            false
-                if domain
-                    .constants()
-                    .iter()
-                    .any(|own| no_length(own.dimension)) =>
-            {
-                &LAWS[..PRODUCTS]
-            }
-            false => return,
+        let constants = domain.constants().iter().map(|own| own.dimension);
+        let mut known = sizes(domain).map(|(_, own)| own).chain(constants);
+        let laws = if scene_is_plain {
+            &LAWS[..]
+        } else if known.any(|own| matches!(own, Dimension::None | Dimension::Area)) {
+            &LAWS[..PRODUCTS]
+        } else {
+            return;
         };
         let loads = self.loads(domain);
         let bases = self.bases(domain, scene_is_plain);

@@ -50,6 +50,11 @@ pub(super) fn places<'d>(
     shown(domain).filter(|(index, _)| domain.names_place(*index))
 }
 
+/// Those of them whose places move with a parameter.
+pub(super) fn moving<'d>(domain: &'d Domain<'_>) -> impl Iterator<Item = (u8, &'d Point<'d>)> {
+    places(domain).filter(|(index, _)| domain.is_displaced(*index))
+}
+
 /// Whether what is measured between the places of some points is of the sample, or not; what
 /// turns with a parameter and stays where it is has no place among the latter.
 fn is_between(domain: &Domain<'_>, points: &[(u8, &Point<'_>)], sampled: bool) -> bool {

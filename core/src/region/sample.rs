@@ -59,20 +59,16 @@ impl Region {
         &self,
         domain: &Domain<'_>,
         instance: &[f64],
-        count: u32,
+        count: usize,
         rng: &mut Generator,
-        visit: &mut dyn FnMut(Theta),
+        visit: &mut dyn FnMut(&Theta),
     ) -> Result<(), Error> {
         let mut grounded = Grounded::<R>::blank(self, domain, instance);
         grounded.compute()?;
-        for _ in 0..count {
-            match grounded.sample(rng) {
-                Ok(theta) => visit(theta),
-                Err(Error::EmptyRegion | Error::NoSample) => break,
-                Err(error) => return Err(error),
-            }
+        match grounded.sample_many(count, rng, |_, theta| visit(theta)) {
+            Err(Error::EmptyRegion | Error::NoSample) => Ok(()),
+            drawn => drawn,
         }
-        Ok(())
     }
 }
 

@@ -17,6 +17,35 @@ pub struct Description {
     pub text: &'static str,
 }
 
+impl Description {
+    /// What can be said of a controller.
+    pub const fn alone(controller: ControllerId, text: &'static str) -> Self {
+        Description {
+            controller,
+            later: None,
+            members: &[],
+            text,
+        }
+    }
+
+    /// What can be said of a controller and of one that runs later.
+    pub const fn chained(
+        controller: ControllerId,
+        later: ControllerId,
+        text: &'static str,
+    ) -> Self {
+        Description {
+            later: Some(later),
+            ..Description::alone(controller, text)
+        }
+    }
+
+    /// The same with predicates that narrow groups.
+    pub const fn with_members(self, members: &'static [PredicateId]) -> Self {
+        Description { members, ..self }
+    }
+}
+
 /// An environment that says what can be said of its controllers.
 pub trait Describe: Environment {
     /// The descriptions; those of single controllers first, in the order in which they

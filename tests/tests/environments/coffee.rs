@@ -6,8 +6,9 @@ use critreg::env::coffee::{
 };
 use critreg::geometry::distance;
 use critreg::random::{generator, uniform_in};
-use critreg::task::{Environment, ObjectId, Operator, State, Task, try_operator};
+use critreg::task::{Environment, State, Task};
 use critreg_tests::golden::{COFFEE, Counts, replay_within};
+use critreg_tests::trying::after;
 use std::ops::RangeInclusive;
 
 /// Sine and cosine may differ in their last digit from those of the recording.
@@ -111,23 +112,8 @@ fn a_jug_is_taken_as_far_as_it_is_turned_aside() {
     assert!(taken.iter().chain(&turned).all(|count| *count > 50));
 }
 
-/// The state after an operator with the robot, the jug, and the machine or the first cup
-/// if it has a third parameter; `None` if it does not work.
 fn run(name: &str, parameters: &[f64], state: &State) -> Option<State> {
-    let operator = find(name);
-    let first = |kind| state.of_type(kind).next().unwrap();
-    let objects: Vec<ObjectId> = operator
-        .parameters
-        .iter()
-        .map(|kind| first(*kind))
-        .collect();
-    let tried = try_operator(&Coffee, operator, &objects, parameters, state);
-    tried.is_feasible().then_some(tried.state)
-}
-
-fn find(name: &str) -> &'static Operator<'static> {
-    let mut operators = Coffee::OPERATORS.iter();
-    operators.find(|operator| operator.name == name).unwrap()
+    after(&Coffee, name, parameters, state)
 }
 
 #[test]

@@ -5,8 +5,9 @@ use critreg::env::stick_button::{UPRIGHT, ZONE_HEIGHT};
 use critreg::env::stick_button_move::{BUTTON_TYPE, StickButtonMove, World};
 use critreg::geometry::{Circle, Intersects, Rectangle, distance};
 use critreg::random::{generator, uniform};
-use critreg::task::{Environment, ObjectId, State, Task, try_operator};
+use critreg::task::{Environment, ObjectId, State, Task};
 use critreg_tests::golden::{Counts, STICK_BUTTON_MOVE, replay_within};
+use critreg_tests::trying::after;
 use std::ops::RangeInclusive;
 
 /// Sine and cosine may differ in their last digit from those of the recording.
@@ -129,19 +130,8 @@ fn a_grasp_decides_what_the_tip_can_press() {
     assert!(enough, "{picks:?}, {presses:?}");
 }
 
-/// The state after an operator with the first object of each type; `None` if it does not
-/// work.
 fn run(name: &str, parameters: &[f64], state: &State) -> Option<State> {
-    let mut operators = StickButtonMove::OPERATORS.iter();
-    let operator = operators.find(|operator| operator.name == name).unwrap();
-    let first = |kind| state.of_type(kind).next().unwrap();
-    let objects: Vec<ObjectId> = operator
-        .parameters
-        .iter()
-        .map(|kind| first(*kind))
-        .collect();
-    let tried = try_operator(&StickButtonMove, operator, &objects, parameters, state);
-    tried.is_feasible().then_some(tried.state)
+    after(&StickButtonMove, name, parameters, state)
 }
 
 /// The oddity of the framework: the hand presses what a stick at its place would touch.

@@ -1,5 +1,6 @@
 //! The planner, its heuristics and search, and PDDL.
 
+mod conclusions;
 mod graph;
 mod parameters;
 mod pddl;

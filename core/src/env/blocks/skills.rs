@@ -3,12 +3,10 @@
 use super::{Blocks, PUT_ON_TABLE};
 use crate::skill::{Describe, Description};
 
-static DESCRIPTIONS: [Description; 1] = [Description {
-    controller: PUT_ON_TABLE,
-    later: None,
-    members: &[],
-    text: include_str!("skills/put_on_table.txt"),
-}];
+static DESCRIPTIONS: [Description; 1] = [Description::alone(
+    PUT_ON_TABLE,
+    include_str!("skills/put_on_table.txt"),
+)];
 
 impl Describe for Blocks {
     const DESCRIPTIONS: &'static [Description] = &DESCRIPTIONS;

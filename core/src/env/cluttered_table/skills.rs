@@ -4,31 +4,17 @@ use super::{ClutteredTable, ClutteredTablePlace, DUMP, GRASP, PLACE, UNTRASHED};
 use crate::skill::{Describe, Description};
 
 /// The end of an approach is left to the original sampler, which takes the can's centre.
-const GRASPING: Description = Description {
-    controller: GRASP,
-    later: None,
-    members: &[UNTRASHED],
-    text: include_str!("skills/grasp.txt"),
-};
+const GRASPING: Description =
+    Description::alone(GRASP, include_str!("skills/grasp.txt")).with_members(&[UNTRASHED]);
 
 static WITH_DUMP: [Description; 2] = [
     GRASPING,
-    Description {
-        controller: DUMP,
-        later: None,
-        members: &[],
-        text: include_str!("skills/dump.txt"),
-    },
+    Description::alone(DUMP, include_str!("skills/dump.txt")),
 ];
 
 static WITH_PLACE: [Description; 2] = [
     GRASPING,
-    Description {
-        controller: PLACE,
-        later: None,
-        members: &[UNTRASHED],
-        text: include_str!("skills/place.txt"),
-    },
+    Description::alone(PLACE, include_str!("skills/place.txt")).with_members(&[UNTRASHED]),
 ];
 
 impl Describe for ClutteredTable {

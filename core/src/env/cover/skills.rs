@@ -2,35 +2,18 @@
 
 use super::{Cover, CoverRegrasp, RegionalBumpyCover};
 use crate::skill::{Describe, Description};
-use crate::task::ControllerId;
-
-const fn alone(controller: ControllerId, text: &'static str) -> Description {
-    Description {
-        controller,
-        later: None,
-        members: &[],
-        text,
-    }
-}
-
-const fn chained(controller: ControllerId, later: ControllerId, text: &'static str) -> Description {
-    Description {
-        later: Some(later),
-        ..alone(controller, text)
-    }
-}
 
 const PICK: &str = include_str!("skills/pick.txt");
 
 static COVER: [Description; 4] = [
-    alone(Cover::PICK, PICK),
-    alone(Cover::PLACE, include_str!("skills/place_in_reach.txt")),
-    chained(
+    Description::alone(Cover::PICK, PICK),
+    Description::alone(Cover::PLACE, include_str!("skills/place_in_reach.txt")),
+    Description::chained(
         Cover::PICK,
         Cover::PLACE,
         include_str!("skills/pick_place_in_reach.txt"),
     ),
-    chained(
+    Description::chained(
         Cover::PLACE,
         Cover::PLACE,
         include_str!("skills/place_place.txt"),
@@ -40,12 +23,12 @@ static COVER: [Description; 4] = [
 /// Putting a block on the table is left to the original sampler, which puts it down where
 /// it is.
 static COVER_REGRASP: [Description; 3] = [
-    alone(CoverRegrasp::PICK, PICK),
-    alone(
+    Description::alone(CoverRegrasp::PICK, PICK),
+    Description::alone(
         CoverRegrasp::PLACE,
         include_str!("skills/place_far_or_central.txt"),
     ),
-    chained(
+    Description::chained(
         CoverRegrasp::PICK,
         CoverRegrasp::PLACE,
         include_str!("skills/pick_place_far_or_central.txt"),
@@ -54,16 +37,16 @@ static COVER_REGRASP: [Description; 3] = [
 
 /// Picking from a target is left to the original sampler, which draws just what works.
 static REGIONAL_BUMPY_COVER: [Description; 4] = [
-    alone(RegionalBumpyCover::PICK_FROM_SMOOTH, PICK),
-    alone(
+    Description::alone(RegionalBumpyCover::PICK_FROM_SMOOTH, PICK),
+    Description::alone(
         RegionalBumpyCover::PICK_FROM_BUMPY,
         include_str!("skills/pick_from_bumpy.txt"),
     ),
-    alone(
+    Description::alone(
         RegionalBumpyCover::PLACE_ON_TARGET,
         include_str!("skills/place_on_target.txt"),
     ),
-    alone(
+    Description::alone(
         RegionalBumpyCover::PLACE_ON_BUMPY,
         include_str!("skills/place_on_bumpy.txt"),
     ),

@@ -11,24 +11,9 @@ macro_rules! text {
 }
 
 static DESCRIPTIONS: [Description; 3] = [
-    Description {
-        controller: PICK,
-        later: None,
-        members: &[],
-        text: text!("skills/pick.txt"),
-    },
-    Description {
-        controller: PLACE,
-        later: None,
-        members: &[],
-        text: text!("skills/place.txt"),
-    },
-    Description {
-        controller: PICK,
-        later: Some(PLACE),
-        members: &[],
-        text: text!("skills/pick_place.txt"),
-    },
+    Description::alone(PICK, text!("skills/pick.txt")),
+    Description::alone(PLACE, text!("skills/place.txt")),
+    Description::chained(PICK, PLACE, text!("skills/pick_place.txt")),
 ];
 
 impl Describe for Shelf {

@@ -11,30 +11,10 @@ macro_rules! text {
 }
 
 static DESCRIPTIONS: [Description; 4] = [
-    Description {
-        controller: PICK_STICK,
-        later: None,
-        members: &[],
-        text: text!("skills/pick.txt"),
-    },
-    Description {
-        controller: ROBOT_PRESS_BUTTON,
-        later: None,
-        members: &[],
-        text: text!("skills/press.txt"),
-    },
-    Description {
-        controller: PLACE_STICK,
-        later: None,
-        members: &[],
-        text: text!("skills/place.txt"),
-    },
-    Description {
-        controller: PICK_STICK,
-        later: Some(STICK_PRESS_BUTTON),
-        members: &[],
-        text: text!("skills/reach.txt"),
-    },
+    Description::alone(PICK_STICK, text!("skills/pick.txt")),
+    Description::alone(ROBOT_PRESS_BUTTON, text!("skills/press.txt")),
+    Description::alone(PLACE_STICK, text!("skills/place.txt")),
+    Description::chained(PICK_STICK, STICK_PRESS_BUTTON, text!("skills/reach.txt")),
 ];
 
 impl Describe for StickButton {

@@ -14,36 +14,11 @@ macro_rules! text {
 }
 
 static DESCRIPTIONS: [Description; 5] = [
-    Description {
-        controller: PICK_STICK,
-        later: None,
-        members: &[],
-        text: text!("skills/pick.txt"),
-    },
-    Description {
-        controller: ROBOT_MOVE_TO_BUTTON,
-        later: None,
-        members: &[],
-        text: text!("skills/robot_move.txt"),
-    },
-    Description {
-        controller: ROBOT_PRESS_BUTTON,
-        later: None,
-        members: &[],
-        text: text!("skills/press.txt"),
-    },
-    Description {
-        controller: PLACE_STICK,
-        later: None,
-        members: &[],
-        text: text!("skills/place.txt"),
-    },
-    Description {
-        controller: PICK_STICK,
-        later: Some(STICK_PRESS_BUTTON),
-        members: &[],
-        text: text!("skills/reach.txt"),
-    },
+    Description::alone(PICK_STICK, text!("skills/pick.txt")),
+    Description::alone(ROBOT_MOVE_TO_BUTTON, text!("skills/robot_move.txt")),
+    Description::alone(ROBOT_PRESS_BUTTON, text!("skills/press.txt")),
+    Description::alone(PLACE_STICK, text!("skills/place.txt")),
+    Description::chained(PICK_STICK, STICK_PRESS_BUTTON, text!("skills/reach.txt")),
 ];
 
 impl Describe for StickButtonMove {

@@ -79,7 +79,7 @@ pub(super) fn best_form<R: Real>(
 /// A number in `[0, 1)` that depends on a form and a salt only (a finaliser of
 /// MurmurHash3).
 fn scatter(salt: u32, form: &DirectedForm) -> f64 {
-    let mut x = salt ^ (2 * form.index() + u32::from(form.upper())).wrapping_mul(0x9E37_79B9);
+    let mut x = salt ^ form.side.wrapping_mul(0x9E37_79B9);
     x = (x ^ (x >> 16)).wrapping_mul(0x85EB_CA6B);
     x = (x ^ (x >> 13)).wrapping_mul(0xC2B2_AE35);
     f64::from(x ^ (x >> 16)) / 4_294_967_296.0

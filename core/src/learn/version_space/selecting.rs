@@ -4,7 +4,8 @@
 //! made or one of its clauses replaced, sums of one left side are looked for. Between two
 //! answers so many are done as [`Tuning::work`] allows, counted in looks at forms and never in
 //! time; so what is known follows from the answers alone. What is asked meanwhile is asked by
-//! the best hypotheses so far, and each that is better takes their place at once.
+//! the best hypotheses so far, and each that is better takes their place at once. Only what
+//! explains nothing late in a run, and is to be judged yet, is selected without a break.
 //!
 //! [`Tuning::work`]: super::Tuning::work
 

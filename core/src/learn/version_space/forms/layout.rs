@@ -78,7 +78,7 @@ impl Run {
 pub(in super::super) struct DirectedForm {
     /// Its place among the forms, twice, and one if it is bounded from above: there are many of
     /// these.
-    pub(super) side: u32,
+    pub(in super::super) side: u32,
     pub(super) rhs: u16,
     /// Its left side, by its place among the left sides.
     pub(in super::super) lhs: u8,

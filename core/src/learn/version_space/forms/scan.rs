@@ -113,8 +113,8 @@ impl<R: Real> StepView<'_, '_, R> {
             let places = first..end.min(first + TOGETHER);
             let counts = self.counts_of(&places, upper, wanted);
             for (place, count) in places.clone().zip(counts).filter(|(_, count)| *count > 0) {
-                if let Some((form, _)) = sums.form_in(place - sums.first) {
-                    visit(if upper { form } else { form.reversed() }, count);
+                if let Some(form) = sums.form_in(place - sums.first, upper) {
+                    visit(form, count);
                 }
             }
         }

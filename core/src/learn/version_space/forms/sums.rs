@@ -102,26 +102,23 @@ impl<R: Real> Sums<'_, R> {
 
     /// The sums that are kept, from one direction.
     pub(super) fn directed(&self, upper: bool) -> impl Iterator<Item = DirectedForm> {
-        let kept = (0u16..).zip(self.slots.iter()).filter(|(_, sum)| sum.kept);
-        kept.map(move |(slot, sum)| DirectedForm {
-            rhs: slot,
-            lhs: sum.lhs,
-            level: SUM_LEVEL,
-            ..DirectedForm::new(self.first + usize::from(slot), upper)
-        })
+        (0..self.slots.len()).filter_map(move |slot| self.form_in(slot, upper))
     }
 
-    /// The form in a slot, bounded from above, and whether it was not evaluated yet; if there
-    /// is one.
-    pub(super) fn form_in(&self, slot: usize) -> Option<(DirectedForm, bool)> {
+    /// The form in a slot from one direction; if there is one.
+    pub(super) fn form_in(&self, slot: usize, upper: bool) -> Option<DirectedForm> {
         let sum = self.slots.get(slot).filter(|sum| sum.kept)?;
-        let form = DirectedForm {
+        Some(DirectedForm {
             rhs: slot as u16,
             lhs: sum.lhs,
             level: SUM_LEVEL,
-            ..DirectedForm::new(self.first + slot, true)
-        };
-        Some((form, sum.new))
+            ..DirectedForm::new(self.first + slot, upper)
+        })
+    }
+
+    /// Whether what is in a slot was not evaluated yet.
+    pub(super) fn is_new(&self, slot: usize) -> bool {
+        self.slots.get(slot).is_some_and(|sum| sum.new)
     }
 
     /// Evaluates the right side of a slot in all instances.

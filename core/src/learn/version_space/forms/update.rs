@@ -94,7 +94,7 @@ impl<R: Real> Forms<'_, R> {
             .get_mut(step * self.tracked..self.tracked * (step + 1));
         let own = intervals.and_then(|own| own.get_mut(sums.first..));
         for (slot, interval) in own.unwrap_or(&mut []).iter_mut().enumerate() {
-            let Some((form, _)) = sums.form_in(slot) else {
+            let Some(form) = sums.form_in(slot, true) else {
                 continue;
             };
             let rhs = |instance| sums.value(slot, instance).unwrap_or(R::NAN);
@@ -114,7 +114,9 @@ impl<R: Real> Forms<'_, R> {
     /// Evaluates sums that were found, and tells them of the samples if they are tracked.
     pub(super) fn evaluate_new_sums(&mut self) {
         for slot in 0..self.sums.capacity() {
-            if let Some((form, true)) = self.sums.form_in(slot) {
+            if let Some(form) = self.sums.form_in(slot, true)
+                && self.sums.is_new(slot)
+            {
                 self.sums.evaluate(slot, &self.values);
                 if (form.index() as usize) < self.tracked {
                     self.track(&form);
@@ -169,7 +171,7 @@ impl<R: Real> Forms<'_, R> {
         }
         let sums = intervals.get(self.sums.first..tracked).unwrap_or(&[]);
         for (slot, interval) in sums.iter().enumerate() {
-            let Some((form, _)) = self.sums.form_in(slot) else {
+            let Some(form) = self.sums.form_in(slot, true) else {
                 continue;
             };
             let own = lhs.get(usize::from(form.lhs)).copied().unwrap_or(R::NAN);

@@ -7,6 +7,7 @@ use crate::learn::version_space::bound::Bound;
 use crate::learn::{Observation, Query};
 use crate::random::{Generator, below};
 use crate::real::Real;
+use crate::region::Theta;
 use rand_core::Rng;
 
 impl<R: Real> Strategy<'_, '_, R> {
@@ -44,14 +45,17 @@ impl<R: Real> Strategy<'_, '_, R> {
         for _ in 0..tuning.query_instances {
             let instance = below(rng, problem.count());
             let values = problem.instance(instance)?;
-            let mut visit = |theta| {
-                let own = Query { instance, theta };
+            let mut visit = |theta: &Theta| {
+                let own = Query {
+                    instance,
+                    theta: *theta,
+                };
                 let distance = self.distance(&own);
                 if most.is_none_or(|most| distance > most) {
                     (most, *query) = (Some(distance), own);
                 }
             };
-            let (domain, count) = (problem.domain(), tuning.query_candidates);
+            let (domain, count) = (problem.domain(), tuning.query_candidates as usize);
             self.region
                 .visit_draws::<R>(domain, values, count, rng, &mut visit)?;
         }
