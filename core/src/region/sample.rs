@@ -51,7 +51,8 @@ impl Region {
         grounded.sample(rng)
     }
 
-    /// Visits so many draws in one instance, fewer if there is none.
+    /// Visits so many draws in one instance, fewer if there is none. Where the region is small
+    /// they are places of one walk, which is how they are found at the price of a few.
     ///
     /// # Errors
     /// Those of [`Region::ground`].
@@ -65,10 +66,15 @@ impl Region {
     ) -> Result<(), Error> {
         let mut grounded = Grounded::<R>::blank(self, domain, instance);
         grounded.compute()?;
-        match grounded.sample_many(count, rng, |_, theta| visit(theta)) {
-            Err(Error::EmptyRegion | Error::NoSample) => Ok(()),
-            drawn => drawn,
+        let mut at = None;
+        for _ in 0..count {
+            match draw_after(&grounded, &mut at, rng) {
+                Ok(theta) => visit(&theta),
+                Err(Error::EmptyRegion | Error::NoSample) => return Ok(()),
+                Err(error) => return Err(error),
+            }
         }
+        Ok(())
     }
 }
 
@@ -112,12 +118,37 @@ pub(super) fn sample<R: Real>(
         1 => draw_from(set, set.set(), single, margin, rng)?.ok_or(Error::NoSample)?,
         _ => sample_several(set, margin, rng)?.ok_or(Error::NoSample)?,
     };
+    Ok(in_range(set, &found))
+}
+
+/// As [`sample`], but where a walk has begun `at` some place it goes on there, and it begins where
+/// there is no other way.
+fn draw_after<R: Real>(
+    set: &impl ParameterSet<R>,
+    at: &mut Option<Vector<R>>,
+    rng: &mut (impl Rng + ?Sized),
+) -> Result<Theta, Error> {
+    if set.count() < 2 {
+        return sample(set, R::ZERO, rng);
+    }
+    let next = match at {
+        Some(at) => step(set, at, R::ZERO, rng)?.unwrap_or(*at),
+        None => match draw_from_box(set, rng)? {
+            Some(theta) => return Ok(in_range(set, &theta)),
+            None => begin_walk(set, R::ZERO, rng)?.ok_or(Error::NoSample)?,
+        },
+    };
+    *at = Some(next);
+    Ok(in_range(set, &next))
+}
+
+/// Parameters that were found. In single precision, an end of the range may be beyond it.
+fn in_range<R: Real>(set: &impl ParameterSet<R>, found: &Vector<R>) -> Theta {
     let mut theta = [0.0; MAX_PARAMETERS];
     for ((value, found), parameter) in theta.iter_mut().zip(found).zip(set.parameters()) {
-        // In single precision, an end of the range may be beyond it.
         *value = Real::clamp(found.to_f64(), parameter.low, parameter.high);
     }
-    Ok(theta)
+    theta
 }
 
 /// Whether it is proven that a set has no parameters; see
@@ -169,19 +200,45 @@ fn sample_several<R: Real>(
     margin: R,
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Option<Vector<R>>, Error> {
+    if let Some(theta) = draw_from_box(parameters, rng)? {
+        let inner = match margin > R::ZERO {
+            true => step(parameters, &theta, margin, rng)?,
+            false => None,
+        };
+        return Ok(inner.or(Some(theta)));
+    }
+    let Some(mut theta) = begin_walk(parameters, margin, rng)? else {
+        return Ok(None);
+    };
+    for _ in 0..STEPS_PER_PARAMETER * parameters.count() {
+        theta = step(parameters, &theta, margin, rng)?.unwrap_or(theta);
+    }
+    Ok(Some(theta))
+}
+
+/// An admitted point among some that are uniform in the box of all parameters.
+fn draw_from_box<R: Real>(
+    parameters: &impl ParameterSet<R>,
+    rng: &mut (impl Rng + ?Sized),
+) -> Result<Option<Vector<R>>, Error> {
     let (low, high) = parameters.bounds();
     for _ in 0..REJECTIONS {
         let theta = inside(parameters.count(), &low, &high, rng);
         if parameters.admits(&theta)? {
-            let inner = match margin > R::ZERO {
-                true => step(parameters, &theta, margin, rng)?,
-                false => None,
-            };
-            return Ok(inner.or(Some(theta)));
+            return Ok(Some(theta));
         }
     }
-    // The set is too small for that: find small boxes that may hold some of it, in random
-    // order, and lay lines through them.
+    Ok(None)
+}
+
+/// A first admitted point of a set that is too small to be hit by chance: finds small boxes that
+/// may hold some of it, in random order, and lays lines through them.
+#[inline(never)]
+fn begin_walk<R: Real>(
+    parameters: &impl ParameterSet<R>,
+    margin: R,
+    rng: &mut (impl Rng + ?Sized),
+) -> Result<Option<Vector<R>>, Error> {
     let mut search = BoxSearch::new(rng.next_u32());
     for _ in 0..BOXES {
         let Some((low, high)) = search.next(parameters)? else {
@@ -189,10 +246,7 @@ fn sample_several<R: Real>(
         };
         for _ in 0..LINES {
             let through = inside(parameters.count(), &low, &high, rng);
-            if let Some(mut theta) = step(parameters, &through, margin, rng)? {
-                for _ in 0..STEPS_PER_PARAMETER * parameters.count() {
-                    theta = step(parameters, &theta, margin, rng)?.unwrap_or(theta);
-                }
+            if let Some(theta) = step(parameters, &through, margin, rng)? {
                 return Ok(Some(theta));
             }
         }

@@ -15,7 +15,7 @@
 //!
 //! What is proven of regions in all instances at once: `report -- proof`.
 //!
-//! How long a learner takes between two answers: `report -- latency [--seeds N] [--first N]`.
+//! How long a learner takes between two answers: `report -- latency [--seeds N] [--first N] [--only <part of a name>]`.
 //!
 //! What more problem instances teach, with the same number of calls:
 //! `report -- instances [--seeds N] [--first N] [--only <part of a name>]`.
@@ -29,10 +29,9 @@ use std::process::ExitCode;
 const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n       report pddl <folder>\n       report proof\n       report \
      <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
      [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]\n       report \
-     <parallel|latency> [--seeds N] [--first N]\n       report \
+     parallel [--seeds N] [--first N]\n       report \
      passive [--seeds N] [--first N] [--log N] [--noise SHARE]\n       report \
-     instances [--seeds N] [--first N] [--only <part of a name>]\n       report \
-     sensitivity [--seeds N] [--first N] [--only <part of a name>]";
+     <instances|latency|sensitivity> [--seeds N] [--first N] [--only <part of a name>]";
 
 struct Options {
     scenario: Scenario,
@@ -99,7 +98,7 @@ fn seeded() -> Option<()> {
     match name.as_str() {
         "sensitivity" => report::sensitivity(seeds, first, &only),
         "parallel" => report::parallel(seeds, first),
-        "latency" => report::latency(seeds, first),
+        "latency" => report::latency(seeds, first, &only),
         "instances" => report::instances(seeds, first, &only),
         "passive" => report::passive(seeds, first, log, noise),
         _ => return None,

@@ -23,9 +23,10 @@ type Answer<'a> = dyn Fn(&Problem<'_>, &Query) -> Outcome + 'a;
 
 /// Prints the median, the 99th percentile and the most of ask and tell together, in each
 /// scenario, and where many forms have many parameters: with a truth, and with answers by
-/// chance.
-pub fn print(seeds: usize, first: u64) {
+/// chance. Only scenarios with this part of a name.
+pub fn print(seeds: usize, first: u64, only: &str) {
     println!("report: latency\nseeds: {seeds}");
+    let wanted = |name: &str| name.contains(only);
     let known = [
         pick(),
         chain(),
@@ -37,12 +38,15 @@ pub fn print(seeds: usize, first: u64) {
         groups(),
         synthetic(0),
     ];
-    for scenario in &known {
+    for scenario in known.iter().filter(|own| wanted(own.name)) {
         let all = (0..seeds as u64).flat_map(|seed| learn_scenario(scenario, first + seed));
         print_times(scenario.name, all.collect());
     }
     let domain = crowded();
     for (name, chance) in [("crowd", false), ("chance", true)] {
+        if !wanted(name) {
+            continue;
+        }
         let all = (0..seeds as u64).flat_map(|seed| learn_crowd(&domain, first + seed, chance));
         print_times(name, all.collect());
     }
