@@ -121,21 +121,10 @@ impl<R: Real> VersionSpace<'_, R> {
 
     /// Whether the best hypotheses became so long that there may be shorter ones.
     pub(super) fn is_doubtful(&self) -> bool {
-        let growth = self.config.tuning.growth;
-        let longer = self.committee.length(&self.forms) > self.selection.length + growth;
-        longer && self.has_patience_ended()
-    }
-
-    /// Whether there are so many more samples than at the last selection that another one is
-    /// worth its time.
-    fn has_patience_ended(&self) -> bool {
-        let patience = self.config.tuning.patience as usize;
-        self.new_samples() > self.selection.samples / patience.max(1)
-    }
-
-    /// Samples since the last selection.
-    fn new_samples(&self) -> usize {
-        self.forms.samples() - self.selection.samples
+        let tuning = self.config.tuning;
+        let new = self.forms.samples() - self.selection.samples;
+        let longer = self.committee.length(&self.forms) > self.selection.length + tuning.growth;
+        longer && new > self.selection.samples / (tuning.patience as usize).max(1)
     }
 
     /// Whether a region that explains most answers is looked for now, or again.
@@ -143,8 +132,9 @@ impl<R: Real> VersionSpace<'_, R> {
         let tuning = self.config.tuning;
         let told = self.observations.len() as f64;
         let late = told >= tuning.give_up * f64::from(self.config.calls);
-        let enough = self.new_samples() >= tuning.batch as usize && self.has_patience_ended();
-        late && enough && (self.approximating || !self.is_explained())
+        let enough = (1.0 + tuning.batch) * self.selection.samples as f64;
+        let grown = self.forms.samples() as f64 > enough;
+        late && grown && (self.approximating || !self.is_explained())
     }
 
     /// Whether the best hypotheses are so much shorter than the answers that they

@@ -130,8 +130,9 @@ tuning! {
     unproven: f64 = 0.25,
     /// Share of the calls after which such a region is looked for.
     give_up: f64 = 0.6,
-    /// Answers between two looks.
-    batch: u32 = 12,
+    /// Share of new samples between two looks: each is done at once, so they are to be fewer
+    /// than one of a hundred questions.
+    batch: f64 = 0.2,
     /// From how many bits on an explanation is so long that it is compared with such a region.
     long: f64 = 60.0,
     /// Share of the questions then that are draws from the region, and share that are draws

@@ -12,6 +12,9 @@ use heapless::Vec;
 const MAX_COLUMNS: usize = 24;
 /// Most places that a right side begins with.
 const MAX_BASES: usize = 12;
+/// Into how many parts the right sides of a left side are divided: for each column those with
+/// it alone, then those where another one follows it.
+pub(super) const PARTS: usize = 2 * MAX_COLUMNS;
 
 /// How far the search goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -67,8 +70,12 @@ pub(super) struct Columns {
     places: Vec<Column, MAX_BASES>,
 }
 
-/// Takes a right side and its length in bits. Returns how long one may be to be looked at.
-pub(super) type Visit<'v> = &'v mut dyn FnMut([Term; TERMS], f32) -> f32;
+/// Looks at right sides, each with its length in bits.
+pub(super) trait Visit {
+    /// How long one may be to be looked at.
+    fn longest(&self) -> f32;
+    fn visit(&mut self, terms: [Term; TERMS], length: f32);
+}
 
 impl<R: Real> Forms<'_, R> {
     /// The columns that right sides are made of, attributes first.
@@ -125,22 +132,29 @@ fn owner(domain: &Domain<'_>, node: &Node) -> Option<Owner> {
 }
 
 impl Columns {
-    /// Visits the right sides of a left side.
-    pub(super) fn for_each_right(&self, left: &Left, effort: Effort, visit: Visit<'_>) {
+    /// Visits the right sides of a left side that are in a part.
+    pub(super) fn for_each_right(
+        &self,
+        left: &Left,
+        effort: Effort,
+        part: usize,
+        visit: &mut dyn Visit,
+    ) {
+        if part > 0 && part % MAX_COLUMNS >= self.sizes.len() {
+            return;
+        }
+        let sizes = self.sizes_of(left.kind);
         self.for_each_base(left.kind, &mut |base, length| {
-            let sizes = |kind| self.sizes_like(kind);
-            match left.kind {
-                Kind::Size(dimension) => {
-                    sizes(dimension).complete(left, effort, base, length, visit)
+            // Without terms, or with a place alone, plain left sides are forms already.
+            if part == 0 && (left.tier != Tier::Plain || base[1].is_some()) {
+                visit.visit(begin(base, [Term::NONE; 2]), length);
+            }
+            match (&sizes, part.checked_sub(MAX_COLUMNS)) {
+                (Some(sizes), None) => sizes.add_one(effort, part, base, length, visit),
+                (Some(sizes), Some(first)) if !base[1].is_some() => {
+                    sizes.add_two((left.tier, effort), first, base[0], length, visit);
                 }
-                Kind::Place(_) | Kind::Diagonal(_) | Kind::Free => {
-                    sizes(Dimension::Length).complete(left, effort, base, length, visit);
-                }
-                // Compared with a threshold alone, as plain left sides are already.
-                Kind::Heading | Kind::Other if left.tier != Tier::Plain => {
-                    let _ = visit([Term::NONE; TERMS], length);
-                }
-                Kind::Heading | Kind::Other => {}
+                _ => {}
             }
         });
     }
@@ -179,18 +193,25 @@ impl Columns {
         }
     }
 
-    fn sizes_like(&self, dimension: Dimension) -> Sizes<'_> {
+    /// The sizes that a left side is compared with; `None` if it is compared with a threshold
+    /// alone.
+    fn sizes_of(&self, kind: Kind) -> Option<Sizes<'_>> {
+        let dimension = match kind {
+            Kind::Size(dimension) => dimension,
+            Kind::Place(_) | Kind::Diagonal(_) | Kind::Free => Dimension::Length,
+            Kind::Heading | Kind::Other => return None,
+        };
         let own = |column: &&Column| column.kind == Kind::Size(dimension);
         let all = self.sizes.iter().filter(own);
         let relations = all.clone().filter(|column| column.relation).count();
         let attributes = all.count() - relations;
         let name = |count: usize| 2.0 + libm::log2f(count as f32);
-        Sizes {
+        Some(Sizes {
             columns: &self.sizes,
             dimension,
             relation: name(2 * relations),
             attribute: name(attributes),
-        }
+        })
     }
 }
 
@@ -215,95 +236,105 @@ struct Sizes<'c> {
 }
 
 impl Sizes<'_> {
-    /// Visits what a right side that begins like this may go on with.
-    fn complete(
+    /// Visits what begins like this and goes on with a column.
+    fn add_one(
         &self,
-        left: &Left,
         effort: Effort,
+        column: usize,
         [base, second]: [Term; 2],
         length: f32,
-        visit: Visit<'_>,
+        visit: &mut dyn Visit,
     ) {
-        let diagonal = second.is_some();
-        // Without terms, or with a place alone, plain left sides are forms already.
-        let mut longest = f32::INFINITY;
-        if left.tier != Tier::Plain || diagonal {
-            longest = visit([base, second, Term::NONE], length);
-        }
-        let with = |first: Term, rest: Term| match (base.is_some(), diagonal) {
-            (false, _) => [first, rest, Term::NONE],
-            (true, false) => [base, first, rest],
-            (true, true) => [base, second, first],
-        };
-        let any = match effort {
+        let factors = match effort {
             Effort::Simple => Factors::Grammar,
             Effort::Thorough => Factors::Any,
         };
-        self.for_each_term(any, &mut |_, first, cost| {
-            if length + cost < longest {
-                longest = visit(with(first, Term::NONE), length + cost);
+        self.for_each_term(factors, column, &mut |term, cost| {
+            if length + cost < visit.longest() {
+                visit.visit(begin([base, second], [term, Term::NONE]), length + cost);
             }
-        });
-        let (pairs, factors) = match (left.tier, effort) {
-            (Tier::Plain, Effort::Simple) | (Tier::Derived, Effort::Thorough) => {
-                (true, Factors::Simple)
-            }
-            (Tier::Plain, Effort::Thorough) => (true, Factors::Grammar),
-            (Tier::Scene, _) | (Tier::Derived, Effort::Simple) => (false, Factors::Simple),
-        };
-        if diagonal || !pairs {
-            return;
-        }
-        let is_relation = |place: usize| self.columns.get(place).is_some_and(|c| c.relation);
-        self.for_each_term(factors, &mut |index, first, cost| {
-            let length = length + cost;
-            if length + SHORTEST_TERM >= longest {
-                return;
-            }
-            self.for_each_term(factors, &mut |other, rest, more| {
-                // Sums of two distances say little.
-                let says = other > index && !(is_relation(index) && is_relation(other));
-                if says && length + more < longest {
-                    longest = visit(with(first, rest), length + more);
-                }
-            });
         });
     }
 
-    /// Visits the terms of all columns with some factors, each with its length.
-    fn for_each_term(&self, factors: Factors, visit: &mut dyn FnMut(usize, Term, f32)) {
-        let columns = self.columns.iter().enumerate();
-        for (index, column) in columns.filter(|(_, c)| c.kind == Kind::Size(self.dimension)) {
-            let name = match column.relation {
-                true => self.relation,
-                false => self.attribute,
-            };
-            let mut term = |hundredths: i16, bits: f32| {
-                for hundredths in [hundredths, -hundredths] {
-                    let term = Term {
-                        column: column.place,
-                        hundredths,
-                    };
-                    visit(index, term, name + bits);
+    /// Visits what begins like this and goes on with a column and one behind it.
+    fn add_two(
+        &self,
+        (tier, effort): (Tier, Effort),
+        column: usize,
+        base: Term,
+        length: f32,
+        visit: &mut dyn Visit,
+    ) {
+        let factors = match (tier, effort) {
+            (Tier::Plain, Effort::Simple) | (Tier::Derived, Effort::Thorough) => Factors::Simple,
+            (Tier::Plain, Effort::Thorough) => Factors::Grammar,
+            (Tier::Scene, _) | (Tier::Derived, Effort::Simple) => return,
+        };
+        let is_relation = |place: usize| self.columns.get(place).is_some_and(|c| c.relation);
+        self.for_each_term(factors, column, &mut |first, cost| {
+            let length = length + cost;
+            if length + SHORTEST_TERM >= visit.longest() {
+                return;
+            }
+            for other in column + 1..self.columns.len() {
+                // Sums of two distances say little.
+                if is_relation(column) && is_relation(other) {
+                    continue;
                 }
-            };
-            let simple = match factors {
-                Factors::Simple => SIMPLE,
-                Factors::Grammar | Factors::Any => FACTORS.len(),
-            };
-            for (hundredths, bits) in FACTORS.iter().take(simple) {
-                term(*hundredths, *bits);
+                self.for_each_term(factors, other, &mut |rest, more| {
+                    if length + more < visit.longest() {
+                        visit.visit(begin([base, Term::NONE], [first, rest]), length + more);
+                    }
+                });
             }
-            // Of a size any share may count, of a distance hardly.
-            let any = factors == Factors::Any && !column.relation;
-            let fine = (1..=MOST).filter(|h| !FACTORS.iter().any(|(f, _)| f == h));
-            for hundredths in fine.filter(|_| any) {
-                let bits = match hundredths % 5 {
-                    0 => TWENTIETHS,
-                    _ => HUNDREDTHS,
+        });
+    }
+
+    /// Visits the terms of a column with some factors, each with its length.
+    fn for_each_term(&self, factors: Factors, column: usize, visit: &mut dyn FnMut(Term, f32)) {
+        let column = self.columns.get(column);
+        let Some(column) = column.filter(|c| c.kind == Kind::Size(self.dimension)) else {
+            return;
+        };
+        let name = match column.relation {
+            true => self.relation,
+            false => self.attribute,
+        };
+        let mut term = |hundredths: i16, bits: f32| {
+            for hundredths in [hundredths, -hundredths] {
+                let term = Term {
+                    column: column.place,
+                    hundredths,
                 };
-                term(hundredths, bits);
+                visit(term, name + bits);
             }
+        };
+        let simple = match factors {
+            Factors::Simple => SIMPLE,
+            Factors::Grammar | Factors::Any => FACTORS.len(),
+        };
+        for (hundredths, bits) in FACTORS.iter().take(simple) {
+            term(*hundredths, *bits);
         }
+        // Of a size any share may count, of a distance hardly.
+        let any = factors == Factors::Any && !column.relation;
+        let fine = (1..=MOST).filter(|h| !FACTORS.iter().any(|(f, _)| f == h));
+        for hundredths in fine.filter(|_| any) {
+            let bits = match hundredths % 5 {
+                0 => TWENTIETHS,
+                _ => HUNDREDTHS,
+            };
+            term(hundredths, bits);
+        }
+    }
+}
+
+/// A right side: what it begins with, then sizes; there is room, because two places are followed
+/// by one size.
+fn begin([base, second]: [Term; 2], [first, rest]: [Term; 2]) -> [Term; TERMS] {
+    match (base.is_some(), second.is_some()) {
+        (false, _) => [first, rest, Term::NONE],
+        (true, false) => [base, first, rest],
+        (true, true) => [base, second, first],
     }
 }

@@ -173,6 +173,7 @@ impl<'m, R: Real> Forms<'m, R> {
                 values: take(&mut memory.sum_values),
                 instances: capacity.instances,
                 first: capacity.forms,
+                best: Default::default(),
             },
             ends: take(&mut memory.ends),
             failures: take(&mut memory.failures),

@@ -6,17 +6,14 @@
 //! infeasible samples, and nothing is stored for it.
 
 use super::Forms;
-use super::columns::{Columns, Effort};
+use super::columns::{Columns, Effort, PARTS, Visit};
 use super::interval::excludes;
 use super::left::{Left, Tier};
-use super::sums::{RightSide, Sum, TERMS, Term};
+use super::sums::{OF_EACH, RightSide, Sum, TERMS, Term};
 use crate::domain::Domain;
 use crate::real::Real;
 use crate::table::{Blank, move_last};
 use heapless::Vec;
-
-/// Sums that are offered of each left side and direction.
-const OF_EACH: usize = 6;
 
 /// How many looks at forms that are tracked take as long as one at the right side of a sum in
 /// an instance, and at what fails there.
@@ -74,8 +71,8 @@ impl<R: Real> Forms<'_, R> {
         !self.sums.slots.is_empty() && self.sort_failures(step)
     }
 
-    /// Looks for sums from a side of a left side on, until so much work was done, and keeps the
-    /// best. The sides are counted; returns the next one.
+    /// Looks for sums from a place on, until so much work was done, and keeps the best. A place
+    /// is a part of the right sides of a left side from one direction; returns the next one.
     #[inline(never)]
     pub(in super::super) fn search(
         &mut self,
@@ -85,22 +82,43 @@ impl<R: Real> Forms<'_, R> {
         most: u32,
     ) -> Option<usize> {
         let columns = self.columns(domain);
-        let mut next = None;
-        for side in from..2 * self.lefts.len() {
-            if side > from && self.work() >= most {
-                next = Some(side);
-                break;
-            }
-            let (lhs, upper) = (side / 2, side.is_multiple_of(2));
-            if let Some(left) = self.lefts.as_slice().get(lhs).copied()
-                && self.view_left(step, lhs, upper)
-            {
-                let best = self.best_of(&left, lhs, upper, &columns, effort);
-                self.keep(&best);
-            }
+        let (mut place, end) = (from, 2 * PARTS * self.lefts.len());
+        while place < end && (place == from || self.work() < most) {
+            place = self.search_side(&columns, (step, effort), place, most);
         }
         self.evaluate_new_sums();
-        next
+        (place < end).then_some(place)
+    }
+
+    /// Goes on with one direction of a left side, and keeps the best sums at its end.
+    fn search_side(
+        &mut self,
+        columns: &Columns,
+        (step, effort): (usize, Effort),
+        place: usize,
+        most: u32,
+    ) -> usize {
+        let (side, first) = (place / PARTS, place % PARTS);
+        let (lhs, upper) = (side / 2, side.is_multiple_of(2));
+        let mut best = core::mem::take(&mut self.sums.best);
+        if first == 0 {
+            best.clear();
+        }
+        if let Some(left) = self.lefts.as_slice().get(lhs).copied()
+            && self.view_left(step, lhs, upper)
+        {
+            let mut offers = Offers::new(self, &left, (lhs, upper), best);
+            for part in first..PARTS {
+                if part > first && self.work() >= most {
+                    self.sums.best = offers.best;
+                    return side * PARTS + part;
+                }
+                columns.for_each_right(&left, effort, part, &mut offers);
+            }
+            best = offers.best;
+        }
+        self.keep(&best);
+        (side + 1) * PARTS
     }
 
     /// Sorts the infeasible samples of a step by instance; `false` if there are none.
@@ -148,51 +166,6 @@ impl<R: Real> Forms<'_, R> {
             sort_outermost_first(own.unwrap_or(&mut []));
         }
         any
-    }
-
-    /// The best sums of a left side from one direction, at which the ends and failures look.
-    #[inline(never)]
-    fn best_of(
-        &self,
-        left: &Left,
-        lhs: usize,
-        upper: bool,
-        columns: &Columns,
-        effort: Effort,
-    ) -> Vec<Sum, OF_EACH> {
-        let base = self.left_length(lhs, left, upper);
-        let most = self.most_excluded() as f32;
-        let mut best: Vec<Sum, OF_EACH> = Vec::new();
-        if most == 0.0 {
-            return best;
-        }
-        // A longer one would not be among the best if it excluded all that any can.
-        let mut longest = f32::INFINITY;
-        columns.for_each_right(left, effort, &mut |terms, length| {
-            let length = base + length;
-            if length >= longest {
-                return longest - base;
-            }
-            self.add_work(RIGHT_SIDE * self.ends.len());
-            let count = self.count_excluded(&terms, upper);
-            if count > 0 {
-                let sum = Sum {
-                    terms,
-                    length,
-                    worth: count as f32 / length,
-                    lhs: lhs as u8,
-                    kept: true,
-                    used: false,
-                    new: true,
-                };
-                insert(&mut best, sum);
-            }
-            if let Some(least) = best.last().filter(|_| best.is_full()) {
-                longest = most / least.worth;
-            }
-            longest - base
-        });
-        best
     }
 
     /// How many infeasible samples a right side can exclude at most: those that lie farther
@@ -286,6 +259,78 @@ impl<R: Real> Forms<'_, R> {
             {
                 *own = sum;
             }
+        }
+    }
+}
+
+/// The best sums so far of a left side from one direction, at which the ends and failures look.
+struct Offers<'f, 'm, R> {
+    forms: &'f Forms<'m, R>,
+    lhs: u8,
+    upper: bool,
+    /// What it takes to name the left side and the direction, in bits.
+    base: f32,
+    /// How many infeasible samples can be excluded at most.
+    most: f32,
+    /// How long a sum may be to be among the best.
+    longest: f32,
+    best: Vec<Sum, OF_EACH>,
+}
+
+impl<'f, 'm, R: Real> Offers<'f, 'm, R> {
+    fn new(
+        forms: &'f Forms<'m, R>,
+        left: &Left,
+        (lhs, upper): (usize, bool),
+        best: Vec<Sum, OF_EACH>,
+    ) -> Self {
+        let mut offers = Offers {
+            forms,
+            lhs: lhs as u8,
+            upper,
+            base: forms.left_length(lhs, left, upper),
+            most: forms.most_excluded() as f32,
+            longest: 0.0,
+            best,
+        };
+        offers.limit();
+        offers
+    }
+
+    /// A longer one would not be among the best if it excluded all that any can.
+    fn limit(&mut self) {
+        self.longest = match self.best.last().filter(|_| self.best.is_full()) {
+            Some(least) => self.most / least.worth,
+            None if self.most > 0.0 => f32::INFINITY,
+            None => 0.0,
+        };
+    }
+}
+
+impl<R: Real> Visit for Offers<'_, '_, R> {
+    fn longest(&self) -> f32 {
+        self.longest - self.base
+    }
+
+    fn visit(&mut self, terms: [Term; TERMS], length: f32) {
+        let length = self.base + length;
+        if length >= self.longest {
+            return;
+        }
+        self.forms.add_work(RIGHT_SIDE * self.forms.ends.len());
+        let count = self.forms.count_excluded(&terms, self.upper);
+        if count > 0 {
+            let sum = Sum {
+                terms,
+                length,
+                worth: count as f32 / length,
+                lhs: self.lhs,
+                kept: true,
+                used: false,
+                new: true,
+            };
+            insert(&mut self.best, sum);
+            self.limit();
         }
     }
 }

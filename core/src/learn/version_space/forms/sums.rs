@@ -9,10 +9,13 @@ use super::{DirectedForm, Forms, NOTHING, Values};
 use crate::domain::{Node, NodeId, TermError, copy, intern};
 use crate::real::Real;
 use crate::table::Blank;
-use heapless::VecView;
+use heapless::{Vec, VecView};
 
 /// Most terms on the right: a place and two sizes.
 pub(super) const TERMS: usize = 3;
+
+/// Sums that are offered of each left side and direction.
+pub(super) const OF_EACH: usize = 6;
 
 /// A level of right sides behind all others.
 pub(in super::super) const SUM_LEVEL: u8 = super::LEVELS as u8;
@@ -78,6 +81,8 @@ pub(super) struct Sums<'m, R> {
     pub(super) instances: usize,
     /// Forms of all slots stand behind so many others.
     pub(super) first: usize,
+    /// The best ones of the side that is searched.
+    pub(super) best: Vec<Sum, OF_EACH>,
 }
 
 impl<R: Real> Sums<'_, R> {
