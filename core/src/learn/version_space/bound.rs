@@ -59,13 +59,13 @@ impl<R: Real> Bound<R> {
 
     /// The bound that has the feasible samples on the one side and `outside` on the other,
     /// with as little strain as possible. `None` if some instance would stray by more
-    /// than `slack` of the form's range.
+    /// than `slack` of the form's range, or the strain would not be less than `most`.
     pub(super) fn between(
         view: &StepView<'_, '_, R>,
         form: DirectedForm,
         outside: &SampleSet,
         range: R,
-        slack: f64,
+        [slack, most]: [f64; 2],
     ) -> Option<Self> {
         let values = view.column(&form);
         let last = view.last_feasible(&form);
@@ -88,54 +88,62 @@ impl<R: Real> Bound<R> {
                 inside.insert(sample);
             }
         }
-        let most = first + zone + zone;
+        let farthest = first + zone + zone;
         let mut near = SampleSet::EMPTY;
         for sample in outside.iter() {
-            if !is_beyond(values.at(sample), most) {
+            if !is_beyond(values.at(sample), farthest) {
                 near.insert(sample);
             }
         }
         let mut best: Option<Self> = None;
-        for outer in values.of_all(&near).filter(|end| *end <= most) {
+        let mut most = R::from_f64(most);
+        for outer in values.of_all(&near).filter(|end| *end <= farthest) {
             let own = values.of_all(&inside).filter(|value| *value < outer);
             bound.inner = own.fold(below, R::max);
             bound.outer = outer;
             let open = bound.inner.is_finite() && outer - bound.inner > tolerance(last);
-            if open && bound.measure_strain(view, [&inside, &near], zone) {
-                let better = best.is_none_or(|b| bound.strain < b.strain);
-                best = if better { Some(bound) } else { best };
+            let ends = [zone, most];
+            if open && bound.measure_strain(view, [&inside, &near], ends) && bound.strain < most {
+                (best, most) = (Some(bound), bound.strain);
             }
         }
         best
     }
 
     /// What samples cost that stray, of feasible and other ones that may. `false` if some
-    /// instance strays too far.
+    /// instance strays too far, or all of them together cost too much.
     fn measure_strain(
         &mut self,
         view: &StepView<'_, '_, R>,
         [inside, outside]: [&SampleSet; 2],
-        zone: R,
+        [zone, most]: [R; 2],
     ) -> bool {
         let forms = view.forms;
+        let tuning = forms.tuning();
         let mut strays: Vec<Stray<R>, MAX_STRAYS> = Vec::new();
-        let threshold = self.threshold(forms.tuning());
+        let threshold = self.threshold(tuning);
+        // What they cost at least.
+        let mut least = R::ZERO;
+        let one = R::from_f64(tuning.stray);
+        let way = R::from_f64(tuning.stray_distance) / self.range;
         let mut note = |sample: usize, by: R| {
             if by <= R::ZERO {
                 return true;
             }
             let instance = forms.instance_of(sample);
             if let Some(stray) = strays.iter_mut().find(|s| s.instance == instance) {
+                least += way * (by - stray.by).max(R::ZERO);
                 stray.by = stray.by.max(by);
                 stray.samples += 1;
-                return by <= zone;
+                return by <= zone && !is_beyond(least, most);
             }
+            least += one + way * by;
             let stray = Stray {
                 instance,
                 by,
                 samples: 1,
             };
-            strays.push(stray).is_ok() && by <= zone
+            strays.push(stray).is_ok() && by <= zone && !is_beyond(least, most)
         };
         let values = view.column(&self.form);
         let value = |sample: usize| values.at(sample);

@@ -131,9 +131,14 @@ impl<R: Real> Clause<R> {
     }
 
     /// Puts its bounds between the feasible samples and those that it must exclude. If it
-    /// cannot, it stays as it is and says so.
+    /// cannot, or not with a strain of less than `most` bits, it stays as it is and says so.
     #[inline(never)]
-    pub(super) fn fit(&mut self, view: &StepView<'_, '_, R>, own: &SampleSet, slack: f64) -> bool {
+    pub(super) fn fit(
+        &mut self,
+        view: &StepView<'_, '_, R>,
+        own: &SampleSet,
+        [slack, most]: [f64; 2],
+    ) -> bool {
         if self.or.is_some() {
             for bound in self.bounds_mut() {
                 bound.outer = view.first_of(&bound.form, own);
@@ -142,7 +147,7 @@ impl<R: Real> Clause<R> {
         }
         let Bound { form, range, .. } = self.bound;
         view.note_look();
-        let fitted = Bound::between(view, form, own, range, slack);
+        let fitted = Bound::between(view, form, own, range, [slack, most]);
         self.bound = fitted.unwrap_or(self.bound);
         fitted.is_some()
     }

@@ -213,7 +213,7 @@ impl<R: Real> Hypothesis<R> {
             clause.support = alone.len() as u32;
             alone.subtract(&overlap.twice);
             own.unite(&alone);
-            self.consistent &= clause.fit(view, own, slack);
+            self.consistent &= clause.fit(view, own, [slack, f64::INFINITY]);
         }
         for sample in overlap.twice.iter() {
             self.assign(view, sample);

@@ -121,7 +121,7 @@ impl<R: Real> Hypothesis<R> {
             if count as usize != alone.len() {
                 new.bound.range = view.range(&form);
             }
-            if new.fit(view, &alone, objective.slack) {
+            if new.fit(view, &alone, [objective.slack, least - shortest]) {
                 let mut length = new.length(forms, others);
                 if length - forms.threshold_length() < least {
                     new.bound.range = view.range(&form);
