@@ -95,6 +95,9 @@ impl<R: Real> Bound<R> {
                 near.insert(sample);
             }
         }
+        let near_count = near.len();
+        view.note_values(view.feasible.len() + outside.len());
+        view.note_values((inside.len() + near_count) * near_count);
         let mut best: Option<Self> = None;
         let mut most = R::from_f64(most);
         for outer in values.of_all(&near).filter(|end| *end <= farthest) {

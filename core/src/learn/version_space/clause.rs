@@ -38,7 +38,7 @@ impl<R: Real> Clause<R> {
         own: &SampleSet,
     ) -> Option<Self> {
         let [first, second] = forms;
-        view.note_look();
+        view.note_values(2 * (own.len() + view.feasible.len()));
         let ends = [view.first_of(&first, own), view.first_of(&second, own)];
         let corner = view.corner([&first, &second], ends);
         let [inner, or_inner] = corner.filter(|c| c.iter().all(|end| end.is_finite()))?;
@@ -146,7 +146,7 @@ impl<R: Real> Clause<R> {
             return true;
         }
         let Bound { form, range, .. } = self.bound;
-        view.note_look();
+        view.note_values(own.len());
         let fitted = Bound::between(view, form, own, range, [slack, most]);
         self.bound = fitted.unwrap_or(self.bound);
         fitted.is_some()

@@ -207,7 +207,8 @@ impl<R: Real> Search<'_, '_, '_, R> {
     /// The clause that excludes the interval of a form around the pivot.
     fn interval(&self, below: DirectedForm) -> Option<Candidate<R>> {
         let values = self.view.column(&below);
-        self.view.note_look();
+        self.view
+            .note_values(self.view.feasible.len() + self.view.infeasible.len());
         let at = values.at(self.pivot);
         let [low, high] = neighbours(self.view, &below, at);
         if !(low.is_finite() && high.is_finite() && at < high) {
@@ -241,7 +242,8 @@ impl<R: Real> Search<'_, '_, '_, R> {
     fn candidate(&self, forms: [DirectedForm; 2]) -> Option<Candidate<R>> {
         let [first, second] = forms;
         let columns = [self.view.column(&first), self.view.column(&second)];
-        self.view.note_look();
+        self.view
+            .note_values(self.view.feasible.len() + self.view.infeasible.len());
         let [own, other] = &columns;
         let at = [own.at(self.pivot), other.at(self.pivot)];
         let corner = self.view.corner([&first, &second], at);

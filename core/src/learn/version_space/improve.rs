@@ -117,11 +117,16 @@ impl<R: Real> Hypothesis<R> {
                 return;
             }
             new.bound.inner = view.last_feasible(&form);
-            // How far the form ranges only matters for samples on the wrong side.
+            // How far the form ranges only matters for samples on the wrong side, of which each
+            // instance costs something.
+            let most = least - shortest;
             if count as usize != alone.len() {
+                if most <= forms.tuning().stray {
+                    return;
+                }
                 new.bound.range = view.range(&form);
             }
-            if new.fit(view, &alone, [objective.slack, least - shortest]) {
+            if new.fit(view, &alone, [objective.slack, most]) {
                 let mut length = new.length(forms, others);
                 if length - forms.threshold_length() < least {
                     new.bound.range = view.range(&form);

@@ -101,12 +101,26 @@ impl<R: Real> VersionSpace<'_, R> {
         };
     }
 
+    /// Begins the selection that is under way again.
+    pub(super) fn restart_selection(&mut self) {
+        let Work { last, due, .. } = self.work;
+        self.begin_selection(last);
+        self.work.due = due;
+    }
+
     /// The last phase begins with the selection that is under way, or with one that begins now.
     pub(super) fn select_for_last(&mut self) {
         if !self.is_selecting() {
             self.begin_selection(true);
         }
         (self.work.last, self.work.due) = (true, true);
+    }
+
+    /// What is nearly right is chosen anew, because it was refuted; what explains all answers was
+    /// looked for before.
+    pub(super) fn approximate_again(&mut self) {
+        self.begin_selection(true);
+        (self.work.stage, self.work.due) = (Stage::Conclude, true);
     }
 
     /// Selects the best hypotheses anew and makes the region of them, at once.

@@ -119,22 +119,27 @@ impl<R: Real> VersionSpace<'_, R> {
         moved
     }
 
-    /// Whether the best hypotheses became so long that there may be shorter ones.
+    /// Whether the best hypotheses became so long that there may be shorter ones. Where late in a
+    /// run nothing explains the answers, that is looked for in larger steps.
     pub(super) fn is_doubtful(&self) -> bool {
         let tuning = self.config.tuning;
         let new = self.forms.samples() - self.selection.samples;
         let longer = self.committee.length(&self.forms) > self.selection.length + tuning.growth;
-        longer && new > self.selection.samples / (tuning.patience as usize).max(1)
+        let patient = new > self.selection.samples / (tuning.patience as usize).max(1);
+        longer && patient && !self.is_late_and_unexplained()
     }
 
     /// Whether a region that explains most answers is looked for now, or again.
     pub(super) fn is_time_to_approximate(&self) -> bool {
-        let tuning = self.config.tuning;
+        let enough = (1.0 + self.config.tuning.batch) * self.selection.samples as f64;
+        self.forms.samples() as f64 > enough && self.is_late_and_unexplained()
+    }
+
+    /// Whether what explains most answers is good enough by now, because nothing explains all.
+    pub(super) fn is_late_and_unexplained(&self) -> bool {
         let told = self.observations.len() as f64;
-        let late = told >= tuning.give_up * f64::from(self.config.calls);
-        let enough = (1.0 + tuning.batch) * self.selection.samples as f64;
-        let grown = self.forms.samples() as f64 > enough;
-        late && grown && (self.approximating || !self.is_explained())
+        let late = told >= self.config.tuning.give_up * f64::from(self.config.calls);
+        late && (self.approximating || !self.is_explained())
     }
 
     /// Whether the best hypotheses are so much shorter than the answers that they

@@ -198,9 +198,9 @@ tuning! {
     patience: u32 = 8,
 
     /// How much is done between two answers to select hypotheses, in looks at a form and 64
-    /// samples: the rest is done after the next ones. A look takes two or three nanoseconds on
-    /// a PC, so this is about a millisecond or two.
-    work: u32 = 800_000,
+    /// samples: the rest is done after the next ones. A look takes about five nanoseconds on a
+    /// PC, so this is about two milliseconds.
+    work: u32 = 400_000,
 
     /// Instances that candidates for a query are drawn in.
     query_instances: u32 = 12,

@@ -3,9 +3,7 @@
 use super::{Column, DirectedForm, Forms, SampleSet};
 use crate::real::Real;
 
-/// How many looks at what is tracked take as long as one at a value, and as one at what it
-/// takes to name a form.
-const VALUE: usize = 4;
+/// How many looks at what is tracked take as long as one at what it takes to name a form.
 const LENGTH: usize = 16;
 
 /// The forms, and the feasible and infeasible samples of one step of a sequence of actions:
@@ -45,9 +43,10 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
         self.forms.add_work(LENGTH);
     }
 
-    /// Counts that the values of a form were looked at.
-    pub(in super::super) fn note_look(&self) {
-        self.forms.add_work(VALUE * self.forms.samples());
+    /// Counts that so many values of a form were looked at: each takes as long as a look at what
+    /// is tracked.
+    pub(in super::super) fn note_values(&self, count: usize) {
+        self.forms.add_work(count);
     }
 
     /// The values of a form at the samples, outwards.
@@ -125,7 +124,9 @@ impl<R: Real> Forms<'_, R> {
     #[inline(always)]
     pub(super) fn add_work(&self, looks: usize) {
         let looks = u32::try_from(looks).unwrap_or(u32::MAX);
-        self.work.set(self.work.get().saturating_add(looks));
+        let work = self.work.get().saturating_add(looks);
+        // It never reaches what stands for any amount.
+        self.work.set(work.min(u32::MAX - 1));
     }
 
     /// An answer comes: work is counted anew.

@@ -16,8 +16,8 @@ impl<R: Real> VersionSpace<'_, R> {
         if self.certifying {
             return;
         }
-        // It may have been selected in time.
         match core::mem::take(&mut self.selection.last) {
+            // It was selected in time.
             true => self.certifying = true,
             false => self.select_for_last(),
         }
@@ -37,14 +37,15 @@ impl<R: Real> VersionSpace<'_, R> {
         }
         let upper = self.report.precision_at_most(self.config.confidence);
         let refuted = upper.is_some_and(|upper| upper < self.config.precision_wanted);
-        if !self.certifying || refuted {
-            if refuted {
-                self.wanted += 0.5 * (1.0 - self.wanted);
-            }
-            match core::mem::take(&mut self.selection.last) && !self.certifying {
-                true => self.certifying = true,
-                false => self.select_for_last(),
-            }
+        if refuted {
+            self.wanted += 0.5 * (1.0 - self.wanted);
+        }
+        match self.certifying {
+            true if refuted => self.approximate_again(),
+            true => {}
+            // It was selected in time.
+            false if core::mem::take(&mut self.selection.last) => self.certifying = true,
+            false => self.select_for_last(),
         }
     }
 

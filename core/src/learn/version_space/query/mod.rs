@@ -131,12 +131,16 @@ impl<'m, R: Real> VersionSpace<'m, R> {
         }
         // What explains nothing late in a run has no time to wait for a selection bit by bit: what
         // is nearly right has to be judged yet.
-        let late_and_unexplained = self.is_time_to_approximate() && !self.is_explained();
-        let urgent = late_and_unexplained || phase == Phase::Judge;
+        let unexplained = self.is_time_to_approximate() && !self.is_explained();
+        let urgent = unexplained || phase == Phase::Judge;
         let most = match urgent {
             true => u32::MAX,
             false => self.config.tuning.work,
         };
+        if unexplained && self.is_selecting() {
+            // All of it is done at once, so it may as well be about all answers.
+            self.restart_selection();
+        }
         let selecting = self.is_selecting();
         if selecting {
             self.repair(most);
@@ -266,7 +270,8 @@ impl<'m, R: Real> VersionSpace<'m, R> {
                 return Ok(true);
             }
             // Nothing is left to ask: is there a better hypothesis to be doubted?
-            let doubts = !self.selection.current && !self.is_selecting();
+            let selected = self.selection.current || self.is_selecting();
+            let doubts = !selected && !self.is_late_and_unexplained();
             if doubts && self.queue_selection(problem.domain()) {
                 let (strategy, lhs) = self.strategy(problem);
                 if strategy.committee_query(lhs, rng, query)? {
