@@ -7,6 +7,20 @@
 //! How often the learners find the true region:
 //! `report -- <what> [--seeds N] [--calls N] [--instances N]`.
 //!
+//! How often a union of so many pieces is found:
+//! `report -- union --pieces <N or N..N> [--seeds N] [--first N]`.
+//!
+//! Whether a learner says why there is no exact region:
+//! `report -- why [--seeds N] [--first N]`.
+//!
+//! How many calls it takes, beside the bits that there are to find out:
+//! `report -- queries [--seeds N] [--first N]`.
+//!
+//! What few calls teach: `report -- budget [--scenario <what>] [--seeds N] [--first N]`.
+//!
+//! How good the region is where the truth is none that the text can say, and what is said of
+//! it: `report -- approximate [--seeds N] [--first N] [--wanted SHARE] [--only <part of a name>]`.
+//!
 //! What answers cost that come late, from several workers:
 //! `report -- parallel [--seeds N] [--first N]`.
 //!
@@ -15,7 +29,7 @@
 //!
 //! What is proven of regions in all instances at once: `report -- proof`.
 //!
-//! How long a learner takes between two answers: `report -- latency [--seeds N] [--first N] [--only <part of a name>]`.
+//! How long a learner takes between two answers: `report -- latency [--seeds N] [--first N]`.
 //!
 //! What more problem instances teach, with the same number of calls:
 //! `report -- instances [--seeds N] [--first N] [--only <part of a name>]`.
@@ -25,108 +39,183 @@
 
 use critreg_tests::report::{self, Run, Scenario, Statistics};
 use std::process::ExitCode;
+use std::str::FromStr;
 
-const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]\n       report pddl <folder>\n       report proof\n       report \
-     <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
-     [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]\n       report \
-     parallel [--seeds N] [--first N]\n       report \
-     passive [--seeds N] [--first N] [--log N] [--noise SHARE]\n       report \
-     <instances|latency|sensitivity> [--seeds N] [--first N] [--only <part of a name>]";
+const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]
+       report pddl <folder>
+       report proof
+       report <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
+     [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]
+       report union --pieces <N or N..N> [--seeds N] [--first N]
+       report <why|queries|parallel|latency> [--seeds N] [--first N]
+       report budget [--scenario <what>] [--seeds N] [--first N]
+       report approximate [--seeds N] [--first N] [--wanted SHARE] [--only <part of a name>]
+       report passive [--seeds N] [--first N] [--log N] [--noise SHARE]
+       report <instances|sensitivity> [--seeds N] [--first N] [--only <part of a name>]";
 
-struct Options {
-    scenario: Scenario,
-    seeds: usize,
-    first: u64,
-    list: bool,
+/// The words of the command line, and its options with their values.
+struct Arguments {
+    words: Vec<String>,
+    options: Vec<(String, String)>,
+}
+
+impl Arguments {
+    fn read(mut given: impl Iterator<Item = String>) -> Result<Arguments, String> {
+        let (mut words, mut options) = (Vec::new(), Vec::new());
+        while let Some(own) = given.next() {
+            if own.starts_with("--") {
+                let value = given.next().ok_or(format!("{own} needs a value"))?;
+                options.push((own, value));
+            } else {
+                words.push(own);
+            }
+        }
+        Ok(Arguments { words, options })
+    }
+
+    /// The next word.
+    fn word(&mut self, what: &str) -> Result<String, String> {
+        match self.words.is_empty() {
+            true => Err(format!("{what} is missing")),
+            false => Ok(self.words.remove(0)),
+        }
+    }
+
+    /// The value of an option, if it is given.
+    fn take<T: FromStr>(&mut self, option: &str) -> Result<Option<T>, String> {
+        let place = self.options.iter().position(|(own, _)| own == option);
+        let Some(place) = place else { return Ok(None) };
+        let (_, value) = self.options.remove(place);
+        let own = value.parse();
+        own.map_or(Err(format!("{option} cannot be {value}")), |own| {
+            Ok(Some(own))
+        })
+    }
+
+    /// The seeds and the first of them.
+    fn seeds(&mut self, default: usize) -> Result<(usize, u64), String> {
+        let seeds = self.take("--seeds")?.unwrap_or(default);
+        Ok((seeds, self.take("--first")?.unwrap_or(0)))
+    }
+
+    /// Nothing else is given.
+    fn end(&self) -> Result<(), String> {
+        let options = self.options.iter().map(|(own, _)| own);
+        match self.words.iter().chain(options).next() {
+            Some(own) => Err(format!("{own} is no part of this report")),
+            None => Ok(()),
+        }
+    }
 }
 
 fn main() -> ExitCode {
-    if let Some(seeds) = seeds_of("table", 10) {
-        report::table(seeds);
-        return ExitCode::SUCCESS;
-    }
-    if let Some(seeds) = seeds_of("domains", 3) {
-        report::domains(&report::DOMAINS, seeds);
-        return ExitCode::SUCCESS;
-    }
-    if seeds_of("proof", 0).is_some() {
-        report::proof();
-        return ExitCode::SUCCESS;
-    }
-    for name in report::DOMAINS {
-        if let Some(seeds) = seeds_of(name, 3) {
-            report::domains(&[name], seeds);
-            return ExitCode::SUCCESS;
-        }
-    }
-    if let Some(folder) = folder_of("pddl") {
-        return match report::pddl(folder.as_ref()) {
-            Ok(()) => ExitCode::SUCCESS,
-            Err(error) => {
-                eprintln!("{folder}: {error}");
-                ExitCode::FAILURE
-            }
-        };
-    }
-    let done = seeded().or_else(|| options().as_ref().map(print));
-    match done {
-        Some(()) => ExitCode::SUCCESS,
-        None => {
-            eprintln!("{USAGE}");
+    match Arguments::read(std::env::args().skip(1)).and_then(print) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}\n{USAGE}");
             ExitCode::FAILURE
         }
     }
 }
 
-/// Prints a report that takes seeds and the first of them, if it is asked for.
-fn seeded() -> Option<()> {
-    let mut arguments = std::env::args().skip(1);
-    let name = arguments.next()?;
-    let (mut seeds, mut first, mut only) = (20, 0, String::new());
-    let (mut log, mut noise) = (1000, 0.0);
-    while let Some(flag) = arguments.next() {
-        let value = arguments.next()?;
-        match flag.as_str() {
-            "--seeds" => seeds = value.parse().ok()?,
-            "--first" => first = value.parse().ok()?,
-            "--only" => only = value,
-            "--log" => log = value.parse().ok()?,
-            "--noise" => noise = value.parse().ok()?,
-            _ => return None,
+/// Prints the report that is asked for.
+fn print(mut given: Arguments) -> Result<(), String> {
+    let name = given.word("the name of a report")?;
+    match name.as_str() {
+        "table" | "domains" => planning(&name, given),
+        environment if report::DOMAINS.contains(&environment) => planning(&name, given),
+        "proof" => {
+            given.end()?;
+            report::proof();
+            Ok(())
+        }
+        "pddl" => {
+            let folder = given.word("the folder")?;
+            given.end()?;
+            let printed = report::pddl(folder.as_ref());
+            printed.map_err(|error| format!("{folder}: {error}"))
+        }
+        "union" => match given.take::<String>("--pieces")? {
+            Some(pieces) => {
+                let (seeds, first) = given.seeds(20)?;
+                given.end()?;
+                report::pieces(range(&pieces)?, seeds, first);
+                Ok(())
+            }
+            None => learners(&name, given),
+        },
+        "approximate" | "budget" | "instances" | "latency" | "parallel" | "passive" | "queries"
+        | "sensitivity" | "why" => learning(&name, given),
+        _ => learners(&name, given),
+    }
+}
+
+/// A number, or the numbers from one to another.
+fn range(text: &str) -> Result<std::ops::RangeInclusive<usize>, String> {
+    let (first, last) = text.split_once("..").unwrap_or((text, text));
+    match (first.parse(), last.parse()) {
+        (Ok(first), Ok(last)) => Ok(first..=last),
+        _ => Err(format!("--pieces cannot be {text}")),
+    }
+}
+
+/// Reports about planning, whose tests are of so many seeds.
+fn planning(name: &str, mut given: Arguments) -> Result<(), String> {
+    let seeds: Option<u64> = given.take("--seeds")?;
+    given.end()?;
+    match name {
+        "table" => report::table(seeds.unwrap_or(10)),
+        "domains" => report::domains(&report::DOMAINS, seeds.unwrap_or(3)),
+        name => {
+            let own = report::DOMAINS.into_iter().filter(|own| *own == name);
+            report::domains(&own.collect::<Vec<_>>(), seeds.unwrap_or(3));
         }
     }
-    match name.as_str() {
-        "sensitivity" => report::sensitivity(seeds, first, &only),
-        "parallel" => report::parallel(seeds, first),
-        "latency" => report::latency(seeds, first, &only),
-        "instances" => report::instances(seeds, first, &only),
-        "passive" => report::passive(seeds, first, log, noise),
-        _ => return None,
+    Ok(())
+}
+
+/// Reports about the default learner.
+fn learning(name: &str, mut given: Arguments) -> Result<(), String> {
+    let (seeds, first) = given.seeds(if name == "why" { 50 } else { 20 })?;
+    let only: String = match name {
+        "approximate" | "instances" | "sensitivity" => given.take("--only")?.unwrap_or_default(),
+        _ => String::new(),
+    };
+    match name {
+        "budget" => {
+            let what: Option<String> = given.take("--scenario")?;
+            given.end()?;
+            let scenario = scenario(what.as_deref().unwrap_or("pick"))?;
+            report::budget(&scenario, seeds, first);
+        }
+        "approximate" => {
+            let wanted: Option<f64> = given.take("--wanted")?;
+            given.end()?;
+        }
+        "passive" => {
+            let log = given.take("--log")?.unwrap_or(1000);
+            let noise = given.take("--noise")?.unwrap_or(0.0);
+            given.end()?;
+            report::passive(seeds, first, log, noise);
+        }
+        name => {
+            given.end()?;
+            match name {
+                "instances" => report::instances(seeds, first, &only),
+                "latency" => report::latency(seeds, first),
+                "parallel" => report::parallel(seeds, first),
+                
+                "sensitivity" => report::sensitivity(seeds, first, &only),
+                _ => report::why(seeds, first),
+            }
+        }
     }
-    Some(())
+    Ok(())
 }
 
-/// The folder that a report is about, if it is asked for.
-fn folder_of(name: &str) -> Option<String> {
-    let mut arguments = std::env::args().skip(1);
-    arguments.next().filter(|own| own == name)?;
-    arguments.next()
-}
-
-/// The seeds of a report about planning, if it is asked for.
-fn seeds_of(name: &str, default: u64) -> Option<u64> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    match arguments[..] {
-        [own] if own == name => Some(default),
-        [own, "--seeds", seeds] if own == name => seeds.parse().ok(),
-        _ => None,
-    }
-}
-
-fn options() -> Option<Options> {
-    let mut arguments = std::env::args().skip(1);
-    let scenario = match arguments.next()?.as_str() {
+/// A learning problem by its name.
+fn scenario(name: &str) -> Result<Scenario, String> {
+    Ok(match name {
         "pick" => report::pick(),
         "chain" => report::chain(),
         "angles" => report::angles(),
@@ -136,45 +225,25 @@ fn options() -> Option<Options> {
         "union" => report::union(),
         "state" => report::state(),
         "groups" => report::groups(),
-        _ => return None,
-    };
-    let mut options = Options {
-        scenario,
-        seeds: 200,
-        first: 0,
-        list: false,
-    };
-    while let Some(flag) = arguments.next() {
-        let value = arguments.next()?;
-        match flag.as_str() {
-            "--seeds" => options.seeds = value.parse().ok()?,
-            "--calls" => options.scenario.calls = value.parse().ok()?,
-            "--instances" => options.scenario.instances = value.parse().ok()?,
-            "--first" => options.first = value.parse().ok()?,
-            "--list" => options.list = value == "yes",
-            _ => return None,
-        }
-    }
-    Some(options)
+        _ => return Err(format!("there is no report or scenario {name}")),
+    })
 }
 
-fn print(options: &Options) {
-    let Options {
-        scenario, first, ..
-    } = options;
-    let all = report::for_seeds(options.seeds, 100, |index| {
-        report::run_seed(scenario, first + index as u64)
+/// How often each learner finds the true region.
+fn learners(name: &str, mut given: Arguments) -> Result<(), String> {
+    let mut scenario = scenario(name)?;
+    let (seeds, first) = given.seeds(200)?;
+    scenario.calls = given.take("--calls")?.unwrap_or(scenario.calls);
+    scenario.instances = given.take("--instances")?.unwrap_or(scenario.instances);
+    let list = given.take::<String>("--list")?.as_deref() == Some("yes");
+    given.end()?;
+    let all = report::for_seeds(seeds, 100, |index| {
+        report::run_seed(&scenario, first + index as u64)
     });
     for (place, learner) in report::LEARNERS.into_iter().enumerate() {
         let runs: Vec<Run> = all.iter().map(|runs| runs[place].clone()).collect();
-        if options.list {
-            for (index, run) in runs.iter().enumerate().filter(|(_, r)| !r.score.is_exact()) {
-                let seed = first + index as u64;
-                eprintln!("{learner} {seed} {run:?}");
-                if scenario.name == "synthetic" {
-                    eprintln!("truth {seed} {:?}", report::synthetic(seed).truth);
-                }
-            }
+        if list {
+            print_inexact(learner, &scenario, &runs, first);
         }
         println!("report: {}", scenario.name);
         let statistics = Statistics {
@@ -184,5 +253,17 @@ fn print(options: &Options) {
             runs: &runs,
         };
         statistics.print();
+    }
+    Ok(())
+}
+
+/// A line for each seed that is not exact.
+fn print_inexact(learner: &str, scenario: &Scenario, runs: &[Run], first: u64) {
+    for (index, run) in runs.iter().enumerate().filter(|(_, r)| !r.score.is_exact()) {
+        let seed = first + index as u64;
+        eprintln!("{learner} {seed} {run:?}");
+        if scenario.name == "synthetic" {
+            eprintln!("truth {seed} {:?}", report::synthetic(seed).truth);
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! How often the learners find the true region, measured by the simulator.
 
+mod budget;
 mod domains;
 mod instances;
 mod judge;
@@ -8,6 +9,7 @@ mod latency;
 mod parallel;
 mod passive;
 mod pddl;
+mod pieces;
 mod proof;
 mod row;
 mod runs;
@@ -17,7 +19,9 @@ mod shapes;
 mod statistics;
 mod synthetic;
 mod table;
+mod why;
 
+pub use budget::print as budget;
 pub use domains::{NAMES as DOMAINS, print as domains, train, training};
 pub use instances::print as instances;
 pub use judge::{Score, Truth};
@@ -25,6 +29,7 @@ pub use latency::print as latency;
 pub use parallel::print as parallel;
 pub use passive::print as passive;
 pub use pddl::pddl;
+pub use pieces::print as pieces;
 pub use proof::{Claim, proof};
 pub use runs::{LEARNERS, for_seeds, run_seed};
 pub use scenario::{Scenario, angles, chain, noise, pick};
@@ -33,3 +38,4 @@ pub use shapes::{groups, interval, state, union};
 pub use statistics::{Run, Statistics};
 pub use synthetic::synthetic;
 pub use table::print as table;
+pub use why::print as why;

@@ -1,14 +1,13 @@
 //! Learning from a log that somebody else recorded, without a question.
 
 use super::judge::Truth;
-use super::runs::for_seeds;
+use super::runs::{draw_theta, for_seeds};
 use super::scenario::{Scenario, pick};
 use crate::room::VersionSpaceRoom;
 use crate::text;
 use critreg::learn::version_space::{Capacity, Config, Quality};
 use critreg::learn::{Learner, Outcome, Problem, Query};
-use critreg::random::{below, generator, uniform, uniform_in};
-use critreg::region::Theta;
+use critreg::random::{below, generator, uniform};
 use std::time::Instant;
 
 /// What came of a log.
@@ -74,10 +73,7 @@ fn observe(scenario: &Scenario, seed: u64, log: usize, noise: f64) -> Told {
     let mut rng = generator(seed ^ 0x1064_0000);
     let started = Instant::now();
     for _ in 0..log {
-        let mut theta = Theta::default();
-        for (value, own) in theta.iter_mut().zip(domain.parameters()) {
-            *value = uniform_in(&mut rng, own.low, own.high);
-        }
+        let theta = draw_theta(domain, &mut rng);
         let instance = below(&mut rng, INSTANCES);
         let numbers = problem.instance(instance).expect("an instance");
         let works = scenario.judge(numbers, &theta[..domain.parameters().len()]);

@@ -8,9 +8,9 @@ use crate::room::{Algorithm1Room, VersionSpaceRoom};
 use crate::{pick, text};
 use critreg::Error;
 use critreg::domain::Domain;
-use critreg::learn::{Algorithm1, Config, Learner, Outcome, Problem};
-use critreg::random::{generator, uniform};
-use critreg::region::Region;
+use critreg::learn::{Algorithm1, Config, Learner, Outcome, Problem, Query};
+use critreg::random::{Generator, generator, uniform, uniform_in};
+use critreg::region::{Region, Theta};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The learners that are compared.
@@ -67,11 +67,19 @@ pub fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
             // It knows only actions with parameters.
             Err(_) => Run::default(),
         };
-        let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
-        let learner = room.learner(domain, scenario.config(seed));
-        let learner = learner.expect("enough room");
-        [baseline, run(learner, scenario, &problem, &truth, seed)]
+        [baseline, run_default(scenario, &truth, seed)]
     })
+}
+
+/// The default learner on one seed of a problem.
+pub(super) fn run_default(scenario: &Scenario, truth: &Truth, seed: u64) -> Run {
+    let instances = scenario.draw(seed, scenario.instances);
+    let domain = &scenario.domain;
+    let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
+    let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
+    let learner = room.learner(domain, scenario.config(seed));
+    let learner = learner.expect("enough room");
+    run(learner, scenario, &problem, truth, seed)
 }
 
 /// Whether the region that the default learner ends with is exact.
@@ -105,27 +113,58 @@ pub(super) fn is_exact_in<L: Learner>(
 }
 
 /// Asks and tells until the learner is finished. `seen` sees it after every call.
-fn ask_and_tell<L: Learner>(
+pub(super) fn ask_and_tell<L: Learner>(
     learner: &mut L,
     scenario: &Scenario,
     problem: &Problem<'_>,
     seed: u64,
     mut seen: impl FnMut(u32, &L),
 ) {
-    let used = problem.domain().parameters().len();
-    let mut flips = generator(seed ^ 0xF11B);
+    let mut answers = Answers::new(scenario, seed);
     for calls in 1.. {
         if learner.is_finished() {
             break;
         }
         let query = learner.ask(problem).expect("not finished");
-        let instance = problem.instance(query.instance).expect("an instance");
-        let mut outcome = scenario.judge(instance, &query.theta[..used]);
-        if uniform(&mut flips) < scenario.noise {
-            outcome = Outcome::from_feasible(!outcome.is_feasible());
-        }
+        let outcome = answers.to(problem, &query);
         learner.tell(problem, outcome).expect("room for it");
         seen(calls, learner);
+    }
+}
+
+/// Uniform parameters.
+pub(super) fn draw_theta(domain: &Domain<'_>, rng: &mut Generator) -> Theta {
+    let mut theta = Theta::default();
+    for (value, own) in theta.iter_mut().zip(domain.parameters()) {
+        *value = uniform_in(rng, own.low, own.high);
+    }
+    theta
+}
+
+/// The answers of a scenario, of which a share is flipped.
+pub(super) struct Answers<'s> {
+    scenario: &'s Scenario,
+    flips: Generator,
+}
+
+impl Answers<'_> {
+    /// Those of a seed.
+    pub(super) fn new(scenario: &Scenario, seed: u64) -> Answers<'_> {
+        Answers {
+            scenario,
+            flips: generator(seed ^ 0xF11B),
+        }
+    }
+
+    /// What comes of a sample.
+    pub(super) fn to(&mut self, problem: &Problem<'_>, query: &Query) -> Outcome {
+        let instance = problem.instance(query.instance).expect("an instance");
+        let used = problem.domain().parameters().len();
+        let outcome = self.scenario.judge(instance, &query.theta[..used]);
+        match uniform(&mut self.flips) < self.scenario.noise {
+            true => Outcome::from_feasible(!outcome.is_feasible()),
+            false => outcome,
+        }
     }
 }
 

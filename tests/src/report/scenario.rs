@@ -61,6 +61,30 @@ impl Scenario {
         }
     }
 
+    /// A problem of random instances that a function judges, which need not be one that the
+    /// domain text can say.
+    pub(super) fn of_judge(
+        name: &'static str,
+        text: &'static str,
+        (instances, calls): (usize, u32),
+        draw: impl Fn(&mut Generator) -> Vec<f64> + Sync + 'static,
+        works: impl Fn(&[f64], &[f64]) -> bool + Sync + 'static,
+    ) -> Scenario {
+        Scenario {
+            name,
+            domain: Domain::parse(text).expect("the text is valid"),
+            instances,
+            calls,
+            steps: 1,
+            noise: 0.0,
+            truth: None,
+            draw: Box::new(draw),
+            judge: Box::new(move |instance, theta| {
+                Outcome::from_feasible(works(instance, theta))
+            }),
+        }
+    }
+
     /// Room for what a version-space learner is told.
     pub fn capacity(&self) -> Capacity {
         Capacity {
