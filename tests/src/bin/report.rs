@@ -191,6 +191,7 @@ fn learning(name: &str, mut given: Arguments) -> Result<(), String> {
         "approximate" => {
             let wanted: Option<f64> = given.take("--wanted")?;
             given.end()?;
+            report::approximate(seeds, first, wanted, &only);
         }
         "passive" => {
             let log = given.take("--log")?.unwrap_or(1000);
@@ -204,7 +205,7 @@ fn learning(name: &str, mut given: Arguments) -> Result<(), String> {
                 "instances" => report::instances(seeds, first, &only),
                 "latency" => report::latency(seeds, first),
                 "parallel" => report::parallel(seeds, first),
-                
+                "queries" => report::queries(seeds, first),
                 "sensitivity" => report::sensitivity(seeds, first, &only),
                 _ => report::why(seeds, first),
             }

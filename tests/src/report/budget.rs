@@ -27,7 +27,10 @@ pub fn print(scenario: &Scenario, seeds: usize, first: u64) {
         let seed = first + index as u64;
         with_seed(scenario, seed, |scenario| offers(scenario, seed))
     });
-    println!("report: budget\nscenario: {}\nseeds: {seeds}\n", scenario.name);
+    println!(
+        "report: budget\nscenario: {}\nseeds: {seeds}\n",
+        scenario.name
+    );
     println!("| calls | of | mean P | mean R | none | provisional | approximate | exact |");
     println!("|---|---|---|---|---|---|---|---|");
     for (place, calls) in CALLS.into_iter().enumerate() {

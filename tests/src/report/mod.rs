@@ -1,5 +1,8 @@
 //! How often the learners find the true region, measured by the simulator.
 
+mod approximate;
+mod baselines;
+mod beyond;
 mod budget;
 mod domains;
 mod instances;
@@ -11,6 +14,7 @@ mod passive;
 mod pddl;
 mod pieces;
 mod proof;
+mod queries;
 mod row;
 mod runs;
 mod scenario;
@@ -21,6 +25,7 @@ mod synthetic;
 mod table;
 mod why;
 
+pub use approximate::print as approximate;
 pub use budget::print as budget;
 pub use domains::{NAMES as DOMAINS, print as domains, train, training};
 pub use instances::print as instances;
@@ -31,6 +36,7 @@ pub use passive::print as passive;
 pub use pddl::pddl;
 pub use pieces::print as pieces;
 pub use proof::{Claim, proof};
+pub use queries::print as queries;
 pub use runs::{LEARNERS, for_seeds, run_seed};
 pub use scenario::{Scenario, angles, chain, noise, pick};
 pub use sensitivity::print as sensitivity;

@@ -39,7 +39,10 @@ fn print_row(count: usize, scenario: &Scenario, runs: &[Run]) {
             false => format!("{:.3}", sum / found.len() as f64),
         }
     };
-    let (p, r) = (mean(|run| run.score.precision), mean(|run| run.score.recall));
+    let (p, r) = (
+        mean(|run| run.score.precision),
+        mean(|run| run.score.recall),
+    );
     let mut calls: Vec<u32> = runs.iter().filter_map(|run| run.calls_to_exact).collect();
     calls.sort_unstable();
     let median = calls.get(runs.len() / 2);

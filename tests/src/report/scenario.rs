@@ -79,9 +79,7 @@ impl Scenario {
             noise: 0.0,
             truth: None,
             draw: Box::new(draw),
-            judge: Box::new(move |instance, theta| {
-                Outcome::from_feasible(works(instance, theta))
-            }),
+            judge: Box::new(move |instance, theta| Outcome::from_feasible(works(instance, theta))),
         }
     }
 

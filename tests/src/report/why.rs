@@ -292,14 +292,21 @@ fn print_row(cause: &Cause, setting: &Setting, seen: &[Seen]) {
     for own in seen.iter().filter(|own| !(cause.right)(own)) {
         let code = format!("{:?}", own.why);
         let code = code.split(' ').next().unwrap_or_default();
-        *others.entry(format!("{code} {:?}", own.quality)).or_default() += 1;
+        *others
+            .entry(format!("{code} {:?}", own.quality))
+            .or_default() += 1;
     }
     let right = seen.iter().filter(|own| (cause.right)(own)).count();
-    let others: Vec<String> = others.iter().map(|(code, n)| format!("{n} {code}")).collect();
-    let said = seen.first().map_or(String::new(), |own| match &own.left_out {
-        Some(left_out) => format!("{}; {left_out}", own.why),
-        None => own.why.to_string(),
-    });
+    let others: Vec<String> = others
+        .iter()
+        .map(|(code, n)| format!("{n} {code}"))
+        .collect();
+    let said = seen
+        .first()
+        .map_or(String::new(), |own| match &own.left_out {
+            Some(left_out) => format!("{}; {left_out}", own.why),
+            None => own.why.to_string(),
+        });
     let (cause, domain, others) = (cause.name, setting.name, others.join(", "));
     println!(
         "| {cause} | {domain} | {right}/{} | {others} | {said} |",
@@ -312,15 +319,23 @@ impl Setting {
     fn scenario(&self, cause: &Cause) -> Scenario {
         let domain = Domain::parse(self.text).expect("the text is valid");
         let region = Region::parse(&domain, self.truth).expect("a valid formula");
-        let ranges: Vec<[f64; 2]> = domain.parameters().iter().map(|p| [p.low, p.high]).collect();
+        let ranges: Vec<[f64; 2]> = domain
+            .parameters()
+            .iter()
+            .map(|p| [p.low, p.high])
+            .collect();
         let (works, (number, least)) = (cause.works, self.decides);
         let says = move |instance: &[f64], theta: &[f64]| {
             let inside = region.contains::<f64>(&domain, instance, theta);
             inside.expect("a valid sample")
         };
         let size = (INSTANCES, cause.calls);
-        let scenario = Scenario::of_judge(self.name, self.text, size, self.draw, move |i, theta| {
-            match works {
+        let scenario = Scenario::of_judge(
+            self.name,
+            self.text,
+            size,
+            self.draw,
+            move |i, theta| match works {
                 Works::Never => false,
                 Works::Always => true,
                 Works::InSome => i[number] >= least,
@@ -328,8 +343,8 @@ impl Setting {
                 Works::Squares => in_square(i, theta, &ranges),
                 Works::Chance => chance(theta, 2) == 0,
                 Works::Holes => says(i, theta) && chance(theta, 8) != 0,
-            }
-        });
+            },
+        );
         Scenario {
             noise: cause.flipped.0,
             ..scenario
@@ -370,7 +385,10 @@ impl Cause {
         Seen {
             why: learner.why(),
             quality: learner.quality(),
-            region: learner.region().ok().map(|own| text::of_region(domain, own)),
+            region: learner
+                .region()
+                .ok()
+                .map(|own| text::of_region(domain, own)),
             mixed: known.contains(&[true; 2]),
             left_out: left_out.map(|own| format!("{} relations found no room", own.count)),
         }

@@ -2,6 +2,7 @@
 
 use critreg::domain::{Domain, NodeId};
 use critreg::learn::version_space::{Capacity, Config};
+use critreg::learn::{Learner, Problem};
 use critreg_tests::room::VersionSpaceRoom;
 
 const DOMAIN: &str = "
@@ -43,4 +44,26 @@ fn relations_of_bodies_stay_and_key_points_go() {
     assert!(fewer < few);
     // What is left out then are distances to corners.
     assert!(first.contains('.'), "{first}");
+}
+
+#[test]
+fn right_sides_without_room_are_left_out_too() {
+    let domain = Domain::parse(
+        "object wall { x: length, y: length }
+         parameter reach in [0, 4]: length
+         point hand = world + (reach, 0)",
+    )
+    .unwrap();
+    let problem = Problem::new(&domain, &[1.0, 0.0, 2.0, 1.0], 2).unwrap();
+    for (forms, lost) in [(4, true), (4096, false)] {
+        let mut room = VersionSpaceRoom::<f64>::new(Capacity::new(forms, 64));
+        let mut learner = room.learner(&domain, Config::default()).unwrap();
+        // All left sides have room; which right sides there are, the instances tell.
+        assert_eq!(learner.left_out(&domain), None);
+        learner.ask(&problem).unwrap();
+        let left_out = learner.left_out(&domain);
+        assert_eq!(left_out.is_some(), lost, "{left_out:?}");
+        let counted = left_out.map_or(0, |own| own.count as usize);
+        assert_eq!(counted, learner.report().forms_left_out);
+    }
 }

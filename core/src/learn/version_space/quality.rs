@@ -174,8 +174,15 @@ impl<R: Real> VersionSpace<'_, R> {
     }
 
     /// What could be compared and is not, because it found no room: `None` if there is nothing.
+    /// It is left sides; or, where those all found room, comparisons with right sides that did
+    /// not, once the instances are known.
     pub fn left_out(&self, domain: &Domain<'_>) -> Option<LeftOut> {
-        self.forms.lefts_left_out(domain)
+        let forms = u32::try_from(self.report.forms_left_out).unwrap_or(u32::MAX);
+        let comparisons = (forms > 0).then_some(LeftOut {
+            count: forms,
+            first: None,
+        });
+        self.forms.lefts_left_out(domain).or(comparisons)
     }
 
     /// How often answers at one place differ, if they do.
