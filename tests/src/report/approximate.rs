@@ -6,6 +6,7 @@ use super::judge::Score;
 use super::runs::{ask_and_tell, draw_theta, for_seeds};
 use super::scenario::Scenario;
 use crate::room::VersionSpaceRoom;
+use crate::text;
 use critreg::learn::version_space::{Config, Quality};
 use critreg::learn::{Learner, Problem, VersionSpace};
 use critreg::random::{Generator, below, generator, uniform};
@@ -32,18 +33,28 @@ struct Learned {
     /// Whether the interval of the precision holds in the instances that were learned in, and
     /// in fresh ones, if there is one; then the same of the recall.
     holds: [Option<bool>; 4],
+    /// The region as text.
+    text: String,
     /// Of the forest and the machine.
     others: [Option<Score>; 2],
+}
+
+impl Learned {
+    /// Whether it is called exact and is not good enough for that.
+    fn is_overrated(&self) -> bool {
+        let bad = self.score.is_some_and(|own| own.precision < EXACT);
+        self.quality == Quality::Exact && bad
+    }
 }
 
 /// Prints for each wanted precision and truth what is learned, and what all truths make together.
 pub fn print(seeds: usize, first: u64, wanted: Option<f64>, only: &str) {
     println!("report: approximate\nseeds: {seeds}\n");
     println!(
-        "| wanted | truth | none, provisional, approximate, exact | P | R | P holds: training, \
+        "| wanted | truth | none, provisional, approximate, exact | P | R | without a draw | P holds: training, \
          fresh | R holds: training, fresh | exact with P < {EXACT} | forest P | R | SVM P | R |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     let wanted = wanted.map_or(WANTED.to_vec(), |own| vec![own]);
     for wanted in wanted {
         let mut together = Vec::new();
@@ -53,6 +64,14 @@ pub fn print(seeds: usize, first: u64, wanted: Option<f64>, only: &str) {
                 learn(&scenario, first + index as u64, wanted)
             });
             eprintln!("{wanted}: {}", scenario.name);
+            for (index, run) in runs
+                .iter()
+                .enumerate()
+                .filter(|(_, run)| run.is_overrated())
+            {
+                let seed = first + index as u64;
+                eprintln!("called exact, seed {seed}: {:?} {}", run.score, run.text);
+            }
             print_row(wanted, scenario.name, &runs);
             together.extend(runs);
         }
@@ -87,18 +106,18 @@ fn print_row(wanted: f64, name: &str, runs: &[Learned]) {
         });
         format!("{holding}/{all}")
     };
-    let too_bad = |run: &&Learned| {
-        let bad = run.score.is_some_and(|own| own.precision < EXACT);
-        run.quality == Quality::Exact && bad
-    };
+    let unjudged = runs
+        .iter()
+        .filter(|run| run.quality == Quality::Approximate && run.holds[0].is_none());
     println!(
-        "| {wanted:.2} | {name} | {called} | {} | {}, {} | {}, {} | {} | {} | {} |",
+        "| {wanted:.2} | {name} | {called} | {} | {} | {}, {} | {}, {} | {} | {} | {} |",
         means(&|run| run.score),
+        unjudged.count(),
         holds(0),
         holds(1),
         holds(2),
         holds(3),
-        runs.iter().filter(too_bad).count(),
+        runs.iter().filter(|run| run.is_overrated()).count(),
         means(&|run| run.others[0]),
         means(&|run| run.others[1])
     );
@@ -124,7 +143,7 @@ fn learn(scenario: &Scenario, seed: u64, wanted: f64) -> Learned {
     let report = learner.report();
     let stated = [report.precision(CONFIDENCE), report.recall(CONFIDENCE)];
     let holds = |place: usize, is: &dyn Fn(&Region) -> f64| {
-        let (low, high) = stated[place].filter(|_| learner.quality() == Quality::Approximate)?;
+        let (low, high) = stated[place]?;
         region.map(|region| (low..=high).contains(&is(region)))
     };
     Learned {
@@ -136,6 +155,7 @@ fn learn(scenario: &Scenario, seed: u64, wanted: f64) -> Learned {
             holds(1, &|region| training.recall(region)),
             holds(1, &|region| fresh.recall(region)),
         ],
+        text: region.map_or(String::new(), |region| text::of_region(domain, region)),
         others: others(&learner, &problem, &fresh, seed),
     }
 }

@@ -10,7 +10,7 @@
 //!
 //! bits, the other comparisons being right. That the shape is known makes it less than it is;
 //! that some forms are all but equal, and that comparisons have no order, makes it more. An
-//! answer tells at most one bit.
+//! answer tells at most one bit, or log2(3) where it says which of two actions failed.
 
 use super::judge::Truth;
 use super::runs::{for_seeds, run_default, with_seed};

@@ -63,7 +63,7 @@ pub fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
         let (capacity, mut config) = (room.capacity, pick::config(seed));
         config.iterations = scenario.calls.saturating_sub(2);
         let baseline = match Algorithm1::new(domain, config, capacity, room.lend()) {
-            Ok(learner) => run(learner, scenario, &problem, &truth, seed),
+            Ok(mut learner) => run(&mut learner, scenario, &problem, &truth, seed),
             // It knows only actions with parameters.
             Err(_) => Run::default(),
         };
@@ -78,8 +78,12 @@ pub(super) fn run_default(scenario: &Scenario, truth: &Truth, seed: u64) -> Run 
     let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
     let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
     let learner = room.learner(domain, scenario.config(seed));
-    let learner = learner.expect("enough room");
-    run(learner, scenario, &problem, truth, seed)
+    let mut learner = learner.expect("enough room");
+    let run = run(&mut learner, scenario, &problem, truth, seed);
+    Run {
+        quality: learner.quality(),
+        ..run
+    }
 }
 
 /// Whether the region that the default learner ends with is exact.
@@ -169,14 +173,14 @@ impl Answers<'_> {
 }
 
 fn run<L: Learner>(
-    mut learner: L,
+    learner: &mut L,
     scenario: &Scenario,
     problem: &Problem<'_>,
     truth: &Truth,
     seed: u64,
 ) -> Run {
     let mut course = Course::default();
-    ask_and_tell(&mut learner, scenario, problem, seed, |calls, learner| {
+    ask_and_tell(learner, scenario, problem, seed, |calls, learner| {
         course.note(calls, learner);
     });
     course.judged(problem.domain(), truth)
@@ -211,6 +215,7 @@ impl Course {
             region: Some(text::of_region(domain, &last)),
             score,
             calls_to_exact: calls_to_exact.filter(|_| score.is_exact()),
+            ..Run::default()
         }
     }
 }

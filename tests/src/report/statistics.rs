@@ -1,6 +1,7 @@
 //! What is said about many runs.
 
 use super::judge::Score;
+use critreg::learn::version_space::Quality;
 use std::collections::BTreeMap;
 
 /// One run of a learner.
@@ -10,6 +11,8 @@ pub struct Run {
     pub region: Option<String>,
     /// Its score; zero without a region.
     pub score: Score,
+    /// What it is called by a learner that has a word for it.
+    pub quality: Quality,
     /// After how many answers the region was exact and stayed so.
     pub calls_to_exact: Option<u32>,
 }
