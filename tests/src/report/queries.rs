@@ -13,13 +13,14 @@
 //! answer tells at most one bit, or log2(3) where it says which of two actions failed.
 
 use super::judge::Truth;
-use super::runs::{for_seeds, run_default, with_seed};
+use super::runs::{draw_theta, for_seeds, run_default, with_seed};
 use super::scenario::{Scenario, chain, pick};
 use super::shapes::{groups, interval, union};
 use super::statistics::Run;
 use super::synthetic::synthetic;
-use critreg::domain::{Dependence, Dimension, Domain, NodeId};
+use critreg::domain::{Dependence, Dimension, Domain, Node, NodeId};
 use critreg::grammar::Features;
+use critreg::random::generator;
 use critreg::region::Region;
 use critreg::table::Blank;
 
@@ -30,6 +31,8 @@ const CHAIN: &str = "grasp.y <= 2.9 and dist_y(grasp, holder.centre) >= 0.25 \
     and dist_y(grasp, stick.tip) >= button.y - 2.9";
 /// Room for the features of a domain.
 const FEATURES: usize = 16_384;
+/// Samples that tell what a form ranges over.
+const SAMPLES: usize = 4000;
 /// Halvings of an interval of thresholds.
 const HALVINGS: usize = 18;
 /// Test instances in which regions with other thresholds are judged.
@@ -146,7 +149,7 @@ fn halve(mut holds: f64, mut fails: f64, is: impl Fn(f64) -> bool) -> f64 {
 
 /// Forms whose right side is nothing; or, if `compares`, also one that varies with the instance.
 fn count_forms(domain: &Domain<'_>, compares: bool) -> usize {
-    let mut nodes = vec![critreg::domain::Node::BLANK; FEATURES];
+    let mut nodes = vec![Node::BLANK; FEATURES];
     let mut values = vec![0.0; FEATURES];
     let features = Features::enumerate_up_to(domain, 1, &mut nodes, &mut values);
     let features = features.expect("room for them");
@@ -162,18 +165,17 @@ fn count_forms(domain: &Domain<'_>, compares: bool) -> usize {
     Dimension::ALL.iter().map(of_dimension).sum()
 }
 
-/// Uniform samples in test instances.
+/// Uniform parameters, each in a test instance of its own.
 struct Samples(Vec<(Vec<f64>, Vec<f64>)>);
 
 impl Samples {
     fn new(scenario: &Scenario, seed: u64) -> Samples {
-        const COUNT: usize = 4000;
-        let mut rng = critreg::random::generator(seed ^ 0x5A4D);
+        let mut rng = generator(seed ^ 0x5A4D);
         let used = scenario.domain.parameters().len();
-        let instances = scenario.draw(seed ^ 0x7E57_0000_0000, COUNT);
+        let instances = scenario.draw(seed ^ 0x7E57_0000_0000, SAMPLES);
         let each = instances.chunks_exact(scenario.domain.instance_len());
         let sample = each.map(|instance| {
-            let theta = super::runs::draw_theta(&scenario.domain, &mut rng);
+            let theta = draw_theta(&scenario.domain, &mut rng);
             (instance.to_vec(), theta[..used].to_vec())
         });
         Samples(sample.collect())
