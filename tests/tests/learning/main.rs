@@ -19,3 +19,4 @@ mod questions;
 mod shelf;
 mod task;
 mod version_space;
+mod why;

@@ -155,17 +155,26 @@ impl<R: Real> VersionSpace<'_, R> {
         if report.feasible == 0 {
             return Why::NoneWorked;
         }
-        if self.quality() == Quality::Exact {
+        let exact = self.quality() == Quality::Exact;
+        // Nothing agrees with answers that contradict each other, unless some are known to be
+        // wrong.
+        if exact && (self.config.noise > 0.0 || report.strays == 0) {
             return Why::Explained;
         }
         if let Some(why) = self.contradiction() {
             return why;
         }
+        if exact {
+            return Why::Explained;
+        }
         if !self.influence {
             return Why::NoInfluence;
         }
         let (samples, examples) = self.unexplained();
-        if samples > 0 {
+        // What strays from the first guess is explained by the next one.
+        let learning = self.calls_left() > 0 && !self.approximating;
+        let guess = self.committee.is_consistent() && !self.is_significant();
+        if samples > 0 && !(learning && guess) {
             return Why::Unexplained { samples, examples };
         }
         Why::TooFew {
