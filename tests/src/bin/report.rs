@@ -11,7 +11,7 @@
 //! `report -- union --pieces <N or N..N> [--seeds N] [--first N]`.
 //!
 //! Whether a learner says why there is no exact region:
-//! `report -- why [--seeds N] [--first N]`.
+//! `report -- why [--seeds N] [--first N] [--only <part of a cause>]`.
 //!
 //! How many calls it takes, beside the bits that there are to find out:
 //! `report -- queries [--seeds N] [--first N]`.
@@ -47,7 +47,8 @@ const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]
        report <pick|chain|angles|synthetic|noise|interval|union|state|groups> \
      [--seeds N] [--calls N] [--instances N] [--first N] [--list yes]
        report union --pieces <N or N..N> [--seeds N] [--first N]
-       report <why|queries|parallel|latency> [--seeds N] [--first N]
+       report why [--seeds N] [--first N] [--only <part of a cause>]
+       report <queries|parallel|latency> [--seeds N] [--first N]
        report budget [--scenario <what>] [--seeds N] [--first N]
        report approximate [--seeds N] [--first N] [--wanted SHARE] [--only <part of a name>]
        report passive [--seeds N] [--first N] [--log N] [--noise SHARE]
@@ -178,7 +179,9 @@ fn planning(name: &str, mut given: Arguments) -> Result<(), String> {
 fn learning(name: &str, mut given: Arguments) -> Result<(), String> {
     let (seeds, first) = given.seeds(if name == "why" { 50 } else { 20 })?;
     let only: String = match name {
-        "approximate" | "instances" | "sensitivity" => given.take("--only")?.unwrap_or_default(),
+        "approximate" | "instances" | "sensitivity" | "why" => {
+            given.take("--only")?.unwrap_or_default()
+        }
         _ => String::new(),
     };
     match name {
@@ -207,7 +210,7 @@ fn learning(name: &str, mut given: Arguments) -> Result<(), String> {
                 "parallel" => report::parallel(seeds, first),
                 "queries" => report::queries(seeds, first),
                 "sensitivity" => report::sensitivity(seeds, first, &only),
-                _ => report::why(seeds, first),
+                _ => report::why(seeds, first, &only),
             }
         }
     }

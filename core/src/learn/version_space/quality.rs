@@ -44,7 +44,8 @@ pub enum Why {
         /// Answers.
         more: u32,
     },
-    /// Answers at one and the same place contradict each other.
+    /// Answers at one and the same place contradict each other. An exact region strays from
+    /// some of them then, unless it was known that some are wrong.
     Contradiction {
         /// Places that were asked about again.
         asked: u32,
