@@ -29,7 +29,8 @@
 //!
 //! What is proven of regions in all instances at once: `report -- proof`.
 //!
-//! How long a learner takes between two answers: `report -- latency [--seeds N] [--first N]`.
+//! How long a learner takes between two answers:
+//! `report -- latency [--seeds N] [--first N] [--only <part of a name>]`.
 //!
 //! What more problem instances teach, with the same number of calls:
 //! `report -- instances [--seeds N] [--first N] [--only <part of a name>]`.
@@ -52,7 +53,7 @@ const USAGE: &str = "usage: report <table|domains|an environment> [--seeds N]
        report budget [--scenario <what>] [--seeds N] [--first N]
        report approximate [--seeds N] [--first N] [--wanted SHARE] [--only <part of a name>]
        report passive [--seeds N] [--first N] [--log N] [--noise SHARE]
-       report <instances|sensitivity> [--seeds N] [--first N] [--only <part of a name>]";
+       report <instances|latency|sensitivity> [--seeds N] [--first N] [--only <part of a name>]";
 
 /// The words of the command line, and its options with their values.
 struct Arguments {
@@ -179,7 +180,7 @@ fn planning(name: &str, mut given: Arguments) -> Result<(), String> {
 fn learning(name: &str, mut given: Arguments) -> Result<(), String> {
     let (seeds, first) = given.seeds(if name == "why" { 50 } else { 20 })?;
     let only: String = match name {
-        "approximate" | "instances" | "sensitivity" | "why" => {
+        "approximate" | "instances" | "latency" | "sensitivity" | "why" => {
             given.take("--only")?.unwrap_or_default()
         }
         _ => String::new(),
@@ -206,7 +207,7 @@ fn learning(name: &str, mut given: Arguments) -> Result<(), String> {
             given.end()?;
             match name {
                 "instances" => report::instances(seeds, first, &only),
-                "latency" => report::latency(seeds, first),
+                "latency" => report::latency(seeds, first, &only),
                 "parallel" => report::parallel(seeds, first),
                 "queries" => report::queries(seeds, first),
                 "sensitivity" => report::sensitivity(seeds, first, &only),
