@@ -38,26 +38,26 @@ relate there, table, room, rectangle
 PICK = WORLD + """
 constant gripper.width  = 0.01: length
 constant gripper.height = 0.07: length
-constant line           = stick.width + 2 * gripper.height: length   # of all grasps
+constant grasps.length  = stick.width + 2 * gripper.height: length   # of all grasps
 """
 LEFT = PICK + """
 parameter ratio in [0, 0.36842]
 parameter arm   in [0.1, 0.2]: length
-point base = rectangle + (-arm - gripper.width, gripper.height - ratio * line)
+point base = rectangle + (-arm - gripper.width, gripper.height - ratio * grasps.length)
 shape base = circle(robot.radius)
 relate base, room, table, crv_robot
 """
 BOTTOM = PICK + """
 parameter ratio in [0.36843, 0.63157]
 parameter arm   in [0.1, 0.2]: length
-point base = rectangle + (ratio * line - gripper.height, -arm - gripper.width)
+point base = rectangle + (ratio * grasps.length - gripper.height, -arm - gripper.width)
 shape base = circle(robot.radius)
 relate base, room, table, crv_robot
 """
 RIGHT = PICK + """
 parameter ratio in [0.63158, 1]
 parameter arm   in [0.1, 0.2]: length
-point base = rectangle + (stick.width + arm + gripper.width, ratio * line - gripper.height - stick.width)
+point base = rectangle + (stick.width + arm + gripper.width, ratio * grasps.length - gripper.height - stick.width)
 shape base = circle(robot.radius)
 relate base, room, table, crv_robot
 """
