@@ -3,7 +3,7 @@
 use super::lifted::Region;
 use crate::domain::{Domain, MAX_PARAMETERS, Scene};
 use crate::error::Error;
-use crate::grammar::Constraint;
+use crate::grammar::{Constraint, MAX_CONSTRAINTS};
 use crate::real::{Dual, Real};
 
 impl Region {
@@ -87,6 +87,26 @@ impl Region {
             })?;
         }
         Ok(())
+    }
+
+    /// How far a sample is within the region, at its nearest bound; below zero, how far outside.
+    /// Of constraints that `and` joins it is the least, of those that `or` joins the greatest
+    /// (robustness of a formula, Fainekos and Pappas 2009), whatever they measure.
+    ///
+    /// # Errors
+    /// Those of [`Region::margins`].
+    pub(crate) fn robustness(
+        &self,
+        domain: &Domain<'_>,
+        instance: &[f64],
+        theta: &[f64],
+    ) -> Result<f64, Error> {
+        let mut values = [0.0; MAX_CONSTRAINTS];
+        let count = self.formula.constraints().len();
+        let values = values.get_mut(..count).unwrap_or_default();
+        self.margins::<f64>(domain, instance, theta, values, &mut [])?;
+        let within = |place: usize| values.get(place).map_or(f64::INFINITY, |margin| -margin);
+        Ok(self.formula.robustness(within))
     }
 
     /// Computes the margin of each constraint, in whatever numbers.

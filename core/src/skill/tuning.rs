@@ -52,3 +52,7 @@ pub(super) const MARGIN: f64 = 0.1;
 /// wrong. With 1, planning begins anew 11 times; with 6 it does so 3 times, but takes 13 %
 /// more samples.
 pub(super) const REGION_DRAWS: u32 = 3;
+
+/// Draws with which the steps after a step can work, of which the one is taken that keeps
+/// farthest from where they could not. In KinDER's StickButton2D it halves what is drawn in vain.
+pub(super) const FORESEEN_DRAWS: u32 = 8;

@@ -4,6 +4,7 @@ mod comparison;
 mod conjuncts;
 mod literals;
 mod parser;
+mod robustness;
 mod writer;
 
 pub use comparison::Comparison;

@@ -17,10 +17,10 @@ pub(super) struct Foresight<'k, 'a, E> {
 }
 
 /// How far a skeleton was followed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Reach {
-    /// To its end.
-    End,
+    /// To its end, so far within the regions of states on the way, at the nearest.
+    End(f64),
     /// Up to this step, which is not expected to work; with other draws it may.
     Step(usize),
     /// Up to this step, which does not depend on draws.
@@ -39,7 +39,7 @@ impl<E: Setting> Foresight<'_, '_, E> {
         mut now: Expectation,
         rng: &mut R,
     ) -> Result<Reach, Error> {
-        let mut drawn = false;
+        let (mut drawn, mut robustness) = (false, f64::INFINITY);
         for (step, ground) in skeleton.iter().enumerate() {
             let Some(own) = self.knowledge.controller(ground) else {
                 now.forget();
@@ -56,6 +56,7 @@ impl<E: Setting> Foresight<'_, '_, E> {
                 Err(Error::EmptyRegion | Error::NoSample) => return Ok(Reach::Step(step)),
                 Err(error) => return Err(error),
             };
+            robustness = robustness.min(joint.robustness()?);
             let theta = match joint.parameters() {
                 0 => self.anything(&own, rng),
                 _ => Some(theta),
@@ -64,7 +65,7 @@ impl<E: Setting> Foresight<'_, '_, E> {
             let theta = theta.as_ref().map(|theta| theta.as_slice());
             now.advance(self.knowledge, self.changes, &own, theta);
         }
-        Ok(Reach::End)
+        Ok(Reach::End(robustness))
     }
 
     /// Parameters of a controller of which no region is known, but where it leaves things:
@@ -80,17 +81,18 @@ impl<E: Setting> Foresight<'_, '_, E> {
     }
 
     /// Whether the steps after the first can work if that one is given these parameters, as
-    /// far as can be told: the step that cannot, if there is one.
+    /// far as can be told: how far the states on the way are within the regions that speak of
+    /// them, or the step that cannot.
     ///
     /// # Errors
     /// Those of the regions.
-    pub(super) fn obstacle<R: Rng, const N: usize>(
+    pub(super) fn prospect<R: Rng, const N: usize>(
         &self,
         skeleton: Skeleton<'_, N>,
         mut now: Expectation,
         theta: &[f64],
         rng: &mut R,
-    ) -> Result<Option<usize>, Error> {
+    ) -> Result<Result<f64, usize>, Error> {
         match skeleton
             .get(0)
             .and_then(|own| self.knowledge.controller(own))
@@ -99,8 +101,8 @@ impl<E: Setting> Foresight<'_, '_, E> {
             None => now.forget(),
         }
         Ok(match self.follow(skeleton.from(1), now, rng)? {
-            Reach::End => None,
-            Reach::Step(step) | Reach::Never(step) => Some(step + 1),
+            Reach::End(robustness) => Ok(robustness),
+            Reach::Step(step) | Reach::Never(step) => Err(step + 1),
         })
     }
 }

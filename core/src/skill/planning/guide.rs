@@ -132,7 +132,7 @@ impl<'a, E: Setting> RegionGuide<'a, E> {
         let mut rng = generator(prefix.len() as u64);
         for _ in 0..self.lookahead {
             match foresight.follow(prefix, Expectation::of(self.initial), &mut rng)? {
-                Reach::End => return Ok(false),
+                Reach::End(_) => return Ok(false),
                 Reach::Step(_) => {}
                 Reach::Never(_) => return Ok(true),
             }

@@ -107,6 +107,22 @@ impl<'s> JointRegion<'s> {
         Ok(step)
     }
 
+    /// How far the state is within the regions that speak of it alone, at the nearest bound;
+    /// infinitely, if there are none.
+    pub(super) fn robustness(&self) -> Result<f64, Error> {
+        let (states, _) = split(self.parts());
+        let mut least = f64::INFINITY;
+        for Part {
+            region,
+            domain,
+            instance,
+        } in states
+        {
+            least = least.min(region.robustness(domain, instance, &[])?);
+        }
+        Ok(least)
+    }
+
     /// Draws parameters that all regions admit; see [`Intersection::sample_inside`].
     pub(super) fn sample<R: Rng>(&self, margin: f64, rng: &mut R) -> Result<Theta, Error> {
         let (states, parts) = split(self.parts());

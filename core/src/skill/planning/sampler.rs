@@ -8,11 +8,10 @@ use super::original::completed;
 use crate::error::Error;
 use crate::plan::{Draw, Drawn, Sampler, World};
 use crate::random::uniform;
-use crate::region::Theta;
 use crate::skill::changes::Changes;
 use crate::skill::setting::Setting;
 use crate::skill::skills::{Library, Skills};
-use crate::skill::tuning::{MARGIN, REGION_DRAWS};
+use crate::skill::tuning::{FORESEEN_DRAWS, MARGIN, REGION_DRAWS};
 use crate::task::State;
 use rand_core::Rng;
 
@@ -106,10 +105,16 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
             }
             let mut known = own.iter().flat_map(|own| self.knowledge.about(own));
             let foreseen = self.lookahead > 0 && known.any(|skill| !skill.effects().is_empty());
-            return match foreseen {
-                true => self.foreseen_original(draw, rng).map(Some),
-                false => Ok(None),
-            };
+            if !foreseen {
+                return Ok(None);
+            }
+            let environment = self.knowledge.environment;
+            let original =
+                |rng: &mut R| Ok(completed(environment, draw.operator, draw.state, &[], rng));
+            return Ok(Some(match self.foreseen(draw, rng, original)? {
+                Ok(parameters) => Drawn::Informed(parameters),
+                Err(step) => Drawn::Empty(reason(draw.skeleton, step)),
+            }));
         }
         if joint.regions().is_empty() {
             return Ok(None);
@@ -118,9 +123,10 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
             return Ok(Some(Drawn::Empty(reason(draw.skeleton, draw.step))));
         }
         let margin = if draw.attempt > 1 { 0.0 } else { self.margin };
-        let drawn = match joint.sample(margin, rng) {
-            Ok(theta) if joint.parameters() > 0 => self.foreseen(theta, joint, (draw, margin), rng),
-            drawn => drawn.map(Ok),
+        let drawn = if self.lookahead > 0 && joint.parameters() > 0 {
+            self.foreseen(draw, rng, |rng: &mut R| joint.sample(margin, rng))
+        } else {
+            joint.sample(margin, rng).map(Ok)
         };
         match drawn {
             Ok(Err(step)) => Ok(Some(Drawn::Empty(reason(draw.skeleton, step)))),
@@ -137,53 +143,39 @@ impl<'a, E: Setting> RegionSampler<'a, E> {
     }
 }
 
-impl<E: Setting> RegionSampler<'_, E> {
-    /// These parameters, or others from where the regions meet, with which the steps after
-    /// this one can work, too; or the step that cannot with any of them.
-    fn foreseen<R: Rng, const N: usize>(
-        &self,
-        mut theta: Theta,
-        joint: &JointRegion<'_>,
-        (draw, margin): (&Draw<'_, State, N>, f64),
-        rng: &mut R,
-    ) -> Result<Result<Theta, usize>, Error> {
-        let foresight = self.foresight();
-        let steps = draw.skeleton.from(draw.step);
-        let mut farthest = 0;
-        for _ in 0..self.lookahead {
-            let now = Expectation::of(draw.state);
-            match foresight.obstacle(steps, now, &theta, rng)? {
-                None => return Ok(Ok(theta)),
-                Some(step) => farthest = farthest.max(step),
-            }
-            theta = joint.sample(margin, rng)?;
-        }
-        Ok(match self.lookahead {
-            0 => Ok(theta),
-            _ => Err(draw.step + farthest),
-        })
-    }
-}
-
 impl<'a, E: Setting> RegionSampler<'a, E> {
-    /// Parameters of the original sampler with which the steps after this one can work.
-    fn foreseen_original<R: Rng, const N: usize>(
+    /// Of some draws with which the steps after this one can work the one that keeps farthest
+    /// from where they could not, in the first try of a step; the first of them later, as it
+    /// was not that. Or the step that cannot work with any draw.
+    fn foreseen<R: Rng, P: AsRef<[f64]>, const N: usize>(
         &self,
         draw: &Draw<'_, State, N>,
         rng: &mut R,
-    ) -> Result<Drawn, Error> {
+        mut next: impl FnMut(&mut R) -> Result<P, Error>,
+    ) -> Result<Result<P, usize>, Error> {
         let (foresight, steps) = (self.foresight(), draw.skeleton.from(draw.step));
-        let mut farthest = 0;
+        let wanted = if draw.attempt > 1 { 1 } else { FORESEEN_DRAWS };
+        let (mut best, mut found, mut farthest) = (None::<(f64, P)>, 0, 0);
         for _ in 0..self.lookahead {
+            let parameters = next(rng)?;
             let now = Expectation::of(draw.state);
-            let environment = self.knowledge.environment;
-            let parameters = completed(environment, draw.operator, draw.state, &[], rng);
-            match foresight.obstacle(steps, now, &parameters, rng)? {
-                None => return Ok(Drawn::Informed(parameters)),
-                Some(step) => farthest = farthest.max(step),
+            match foresight.prospect(steps, now, parameters.as_ref(), rng)? {
+                Ok(robustness) => {
+                    found += 1;
+                    if best.as_ref().is_none_or(|(most, _)| robustness > *most) {
+                        best = Some((robustness, parameters));
+                    }
+                    // Where nothing is known of states, one is as good as another.
+                    if found == wanted || robustness == f64::INFINITY {
+                        break;
+                    }
+                }
+                Err(step) => farthest = farthest.max(step),
             }
         }
-        Ok(Drawn::Empty(reason(draw.skeleton, draw.step + farthest)))
+        Ok(best
+            .map(|(_, parameters)| parameters)
+            .ok_or(draw.step + farthest))
     }
 
     fn foresight(&self) -> Foresight<'_, 'a, E> {
