@@ -21,6 +21,10 @@ from critreg.bilevel import World
 from worlds import Environment
 
 
+HORIZON = 200
+"""Most actions of a controller: across the room and to the stick it takes more than KinDER's 100."""
+
+
 def told(*words):
     print(*words, file=sys.stderr, flush=True)
 
@@ -52,7 +56,7 @@ def learn(world, skills):
 def ours(world, skills, state, seed):
     """Whether it is solved, samples, steps of the plan."""
     planner = world.planner(
-        state, lookahead=32, patience=4000, max_samples=60, max_tries=3, nodes=20000
+        state, lookahead=32, patience=20000, max_samples=60, max_tries=2, nodes=100000
     )
     try:
         world.plan(state, skills, seed, planner)
@@ -90,6 +94,7 @@ class Counted:
             seed=seed,
             max_abstract_plans=10,
             samples_per_step=3,
+            max_skill_horizon=HORIZON,
             timeout=seconds,
         )
         return plan is not None, self.samples, self.steps if plan else 0
@@ -125,7 +130,7 @@ def main():
     text = environment.text
     variants = options.variants or text.VARIANTS
     models = environment.of_all(sorted({*text.TRAINING, *variants}))
-    world = World(models, text.TEXTS, refused=text.REFUSED)
+    world = World(models, text.TEXTS, HORIZON, text.REFUSED)
     skills = untaught(world, environment, options.tasks)
     if options.load:
         with open(options.load, "rb") as file:

@@ -111,6 +111,51 @@ def models():
     )
 
 
+class RingController(DriveController):
+    def sample_parameters(self, state, rng):
+        return (0.0, 7.0)
+
+
+RUNG = Predicate("Rung", (MARK,))
+
+
+def ringing():
+    """Models in which a bell rings in the inner half of the mark, where the cart is."""
+
+    def rung(state, by):
+        after = moved(state, by)
+        if by == 0.0 and abs(state[cart]["x"] - state[mark]["x"]) <= 0.25 * state[mark]["width"]:
+            after[mark]["rung"] = 1.0
+        return after
+
+    def atoms(state):
+        found = abstract(state)
+        if state[mark].get("rung"):
+            found.atoms.add(Atom(RUNG, (mark,)))
+        return found
+
+    own = models()
+    variables = Thing("?cart", CART), Thing("?mark", MARK)
+    ring = types.SimpleNamespace(
+        name="Ring",
+        parameters=variables,
+        preconditions={Atom(ON, variables)},
+        add_effects={Atom(RUNG, variables[1:])},
+        delete_effects=set(),
+    )
+    controller = types.SimpleNamespace(controller_cls=RingController, ground=RingController)
+    own.predicates.add(RUNG)
+    own.skills.append(types.SimpleNamespace(operator=ring, controller=controller))
+    own.transition_fn, own.state_abstractor = rung, atoms
+    own.goal_deriver = lambda state: types.SimpleNamespace(atoms={Atom(RUNG, (mark,))})
+    return own
+
+
+RING = """
+object cart { x: length }
+object mark { x: length, width: length }
+feature beside = cart.x - mark.x: length
+"""
 TEXT = """
 object cart { x: length }
 object mark { x: length, width: length }
@@ -150,6 +195,23 @@ class Worlds(unittest.TestCase):
         names = [skill.name for skill in skills]
         self.assertEqual(names, ["DriveController-back", "DriveController-forth"])
         self.assertLessEqual(samples, 24)
+
+    def test_what_is_foreseen_keeps_away_from_where_later_steps_fail(self):
+        world = World(ringing(), {"DriveController": WHOLE, "RingController": RING})
+        tasks = [task(seed) for seed in range(40)]
+        skills = world.learn(tasks, learner={"calls": 100}, states=80)
+        ring = skills[1]
+        self.assertIsNotNone(ring.region, ring.text)
+        self.assertEqual(ring.domain.split(), RING.split())
+        off = []
+        for seed in range(100, 120):
+            state = task(seed)
+            plan = world.plan(state, skills, seed, world.planner(state, lookahead=32))
+            self.assertEqual([step.name for step in plan.steps], ["Drive", "Ring"])
+            place = plan.states[2][cart]["x"] - state[mark]["x"]
+            off.append(abs(place) / (0.25 * state[mark]["width"]))
+        # Of draws that are uniform half would be nearer to the middle than half way.
+        self.assertLess(sum(off) / len(off), 0.25, off)
 
     def test_what_is_refused_too_often_fails_in_training(self):
         def stopped(state, by):
