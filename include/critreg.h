@@ -1779,8 +1779,10 @@ typedef struct critreg_planner_config {
     /**
      * With skills: how many draws of the parameters of a step are followed, in the states
      * that are expected of the steps after it, before the step is taken for impossible; and
-     * likewise the steps of a sequence before it is postponed. Default 0: none are, and only
-     * what holds with all parameters counts.
+     * likewise the steps of a sequence before it is postponed. In the first try of a step, of
+     * up to 8 draws with which all steps can work the one is taken that keeps later states
+     * farthest from the bounds of their regions. Default 0: none are followed, and only what
+     * holds with all parameters counts.
      */
     uint32_t lookahead;
 } critreg_planner_config;
