@@ -103,7 +103,7 @@ class Counted:
 def measured(name, variant, seeds, plan):
     """A row of the table."""
     results = []
-    for seed in range(seeds):
+    for seed in seeds:
         start = time.perf_counter()
         results.append((*plan(seed), time.perf_counter() - start))
         told(f"  {name}, variant {variant}, seed {seed}: {results[-1]}")
@@ -118,7 +118,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("environment", help="stickbutton2d, obstruction2d, or a file like these")
     parser.add_argument("--variants", type=int, nargs="*")
-    parser.add_argument("--seeds", type=int, default=20)
+    parser.add_argument("--seeds", type=int, default=20, help="tasks of each variant")
+    parser.add_argument("--first", type=int, default=0, help="the seed of the first task")
     parser.add_argument("--baseline", type=int, default=5, help="tasks for KinDER's planner")
     parser.add_argument("--tasks", type=int, default=60, help="training tasks")
     parser.add_argument("--timeout", type=float, default=60.0, help="of KinDER's planner")
@@ -148,13 +149,14 @@ def main():
     print("|---|---|---|---|---|---|")
     counted = Counted()
     for variant in variants:
-        states = {seed: environment.state(variant, seed) for seed in range(options.seeds)}
+        seeds = range(options.first, options.first + options.seeds)
+        states = {seed: environment.state(variant, seed) for seed in seeds}
         own = environment.models(variant)
         print(
             measured(
                 "KinDER",
                 variant,
-                min(options.seeds, options.baseline),
+                seeds[: options.baseline],
                 lambda seed: counted.plan(own, states[seed], seed, options.timeout),
             ),
             flush=True,
@@ -163,7 +165,7 @@ def main():
             measured(
                 "critreg",
                 variant,
-                options.seeds,
+                seeds,
                 lambda seed: ours(world, skills, states[seed], seed),
             ),
             flush=True,
