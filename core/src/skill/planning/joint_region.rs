@@ -112,13 +112,9 @@ impl<'s> JointRegion<'s> {
     pub(super) fn robustness(&self) -> Result<f64, Error> {
         let (states, _) = split(self.parts());
         let mut least = f64::INFINITY;
-        for Part {
-            region,
-            domain,
-            instance,
-        } in states
-        {
-            least = least.min(region.robustness(domain, instance, &[])?);
+        for own in &states {
+            let robustness = own.region.robustness(own.domain, own.instance, &[])?;
+            least = least.min(robustness);
         }
         Ok(least)
     }
