@@ -36,24 +36,27 @@ mod tests {
     #[test]
     fn the_weakest_of_all_and_the_strongest_of_any() {
         let domain = Domain::parse("object cup { x: length, y: length }").unwrap();
-        let [x, y] = ["cup.x >= 0", "cup.y >= 0"];
-        let cases = [
-            ("true".into(), f64::INFINITY),
-            (format!("{x} and {y}"), -2.0),
-            (format!("{x} or {y}"), 1.0),
-            (format!("not ({x} and {y})"), 2.0),
-            (format!("{x} and ({y} or not {y})"), 1.0),
-            (format!("{x} and {y} or not {x}"), -1.0),
+        // What each constraint is worth, in their order.
+        let cases: [(&str, &[f64], f64); 6] = [
+            ("true", &[], f64::INFINITY),
+            ("cup.x >= 0 and cup.y >= 0", &[1.0, -2.0], -2.0),
+            ("cup.x >= 0 or cup.y >= 0", &[1.0, -2.0], 1.0),
+            ("not (cup.x >= 0 and cup.y >= 0)", &[1.0, -2.0], 2.0),
+            (
+                "cup.x >= 0 and (cup.y >= 0 or cup.y <= 3)",
+                &[4.0, -2.0, 3.0],
+                3.0,
+            ),
+            (
+                "cup.x >= 0 and cup.y >= 0 or not cup.x >= 5",
+                &[1.0, -2.0, 5.0],
+                -2.0,
+            ),
         ];
-        for (text, expected) in cases {
-            let formula = Formula::parse(&domain, &text).unwrap();
-            // Where x is 1 and y is -2; what is denied is another constraint.
-            let axes: std::vec::Vec<bool> = text
-                .match_indices("cup.")
-                .map(|(at, _)| text[at..].starts_with("cup.x"))
-                .collect();
-            let within = |place: usize| if axes[place] { 1.0 } else { -2.0 };
-            assert_eq!(formula.robustness(within), expected, "{text}");
+        for (text, worth, expected) in cases {
+            let formula = Formula::parse(&domain, text).unwrap();
+            assert_eq!(formula.constraints().len(), worth.len(), "{text}");
+            assert_eq!(formula.robustness(|place| worth[place]), expected, "{text}");
         }
     }
 }
