@@ -6,9 +6,8 @@ VARIANTS = [0, 1, 2, 4]
 TRAINING = [0, 1]
 REFUSED = 0
 LEARNING = {
-    "learner": {"calls": 150, "forms": 8192},
+    "learner": {"calls": 200, "forms": 8192},
     "situations": 32,
-    "budget": 250,
     "states": 32,
     "way": 4,
 }
