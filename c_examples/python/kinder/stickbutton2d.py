@@ -31,7 +31,7 @@ point there = world + (circle.x, circle.y)     # where the robot drives, straigh
 shape there = circle(robot.radius)
 feature passage = clear(sweep(crv_robot, there), rectangle): length
 # How far from there it comes to the end of the floor; below zero.
-feature short = inside(there, floor) * dist(there, crv_robot) / dist_y(there, crv_robot): length
+feature short = inside_y(there, floor) * dist(there, crv_robot) / dist_y(there, crv_robot): length
 relate there, floor, rectangle
 """
 PICK = WORLD + """
