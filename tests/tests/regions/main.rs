@@ -1,9 +1,6 @@
 //! Domains, terms and regions: their text, membership, intervals and draws.
 
 mod bodies;
-mod bodies_angles;
-mod bodies_compound;
-mod bodies_sight;
 mod division;
 mod groups;
 mod implication;

@@ -1,7 +1,8 @@
 //! Several bodies under one name, `shape gripper = left + right`: what is said of it is said of
 //! each part.
 
-use super::bodies::{Rectangle, check_draws, check_ranges, least};
+use super::check::{check_draws, check_ranges};
+use super::plane::{Rectangle, least};
 use critreg::domain::Domain;
 use critreg::random::{Generator, below, generator, uniform_in};
 use critreg::region::Region;

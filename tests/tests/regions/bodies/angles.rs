@@ -1,6 +1,6 @@
 //! Angles to and between bodies: `off(a, b)`, and `angle(a, b, symmetry)`.
 
-use super::bodies::{check_draws, check_ranges};
+use super::check::{check_draws, check_ranges};
 use critreg::domain::Domain;
 use critreg::random::{below, generator, uniform_in};
 use critreg::region::Region;

@@ -1,7 +1,8 @@
 //! Lines of sight and straight motions, `clear(line(a, b), c)` and `clear(sweep(a, b), c)`: what
 //! they say is what many points of the line say.
 
-use super::bodies::{Rectangle, check_draws, check_ranges, least};
+use super::check::{check_draws, check_ranges};
+use super::plane::{Rectangle, least};
 use critreg::Error;
 use critreg::domain::Domain;
 use critreg::random::{Generator, below, generator, uniform_in};
