@@ -16,6 +16,9 @@ mod exclusions;
 mod interval;
 mod layout;
 mod left;
+mod length;
+mod right;
+mod sample;
 mod sample_set;
 mod scan;
 mod search;
@@ -28,6 +31,8 @@ pub(super) use columns::Effort;
 pub use interval::Interval;
 pub(super) use layout::DirectedForm;
 pub use left::{Left, LeftOut};
+pub(super) use sample::Origin;
+pub use sample::Sample;
 pub(super) use sample_set::{MAX_WORDS, SampleSet};
 pub use search::{End, Failure};
 pub(super) use step::StepView;
@@ -36,13 +41,9 @@ pub use sums::Sum;
 
 use super::memory::{Capacity, Memory};
 use super::tuning::Tuning;
-use crate::domain::{
-    Dependence, Dimension, Domain, MAX_PARAMETERS, Metric, Node, NodeId, PointSet, Quantity,
-    Sample as Point, Scene, held,
-};
+use crate::domain::{Dimension, Domain, NodeId, PointSet, Sample as Point, Scene, held};
 use crate::error::Error;
-use crate::geometry::Relation;
-use crate::grammar::{Features, Kind, feature_id};
+use crate::grammar::Features;
 use crate::learn::{Problem, Query};
 use crate::real::Real;
 use crate::region::Theta;
@@ -50,8 +51,7 @@ use crate::table::{Blank, Table};
 use core::cell::Cell;
 use core::mem::take;
 use exclusions::Exclusions;
-use layout::{Layout, Places};
-use left::Tier;
+use layout::Layout;
 use sums::Sums;
 use values::{Column, Values};
 
@@ -70,42 +70,6 @@ const NOTHING: u16 = u16::MAX;
 #[inline(always)]
 pub(super) fn tolerance<R: Real>(value: R) -> R {
     R::from_f64(64.0) * R::EPSILON * (R::from_f64(16.0) + value.abs())
-}
-
-/// Where a sample comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Origin {
-    /// It was asked about for a reason.
-    Chosen,
-    /// It was drawn at random, from everything or from a region, or nobody asked.
-    Drawn,
-    /// As before, and it is put aside to judge a region that is wrong about some answers.
-    Aside,
-}
-
-/// A sample whose label is decided: its instance, and where it comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sample(u32);
-
-impl Sample {
-    /// The bits of its origin.
-    const ORIGIN: u32 = 3 << 30;
-
-    fn new(instance: usize, origin: Origin) -> Sample {
-        Sample((instance as u32 & !Sample::ORIGIN) | (origin as u32) << 30)
-    }
-
-    fn instance(self) -> usize {
-        (self.0 & !Sample::ORIGIN) as usize
-    }
-
-    fn is(self, origin: Origin) -> bool {
-        self.0 >> 30 == origin as u32
-    }
-}
-
-impl Blank for Sample {
-    const BLANK: Self = Sample(0);
 }
 
 /// The forms of a domain, what the feasible samples say about each and which
@@ -217,143 +181,6 @@ impl<'m, R: Real> Forms<'m, R> {
         self.sums.slots.fill(Sum::BLANK);
         self.values.samples.clear();
         self.threshold_length = 0.0;
-    }
-
-    /// Whether there is room for the instances of a problem, and each makes a scene, but for
-    /// the first ones, of which that is known.
-    pub(super) fn check(&self, problem: &Problem<'_>, known: usize) -> Result<(), Error> {
-        let needed = problem.count().checked_mul(self.values.rhs_count);
-        if needed.is_none_or(|n| n > self.values.rhs.len()) {
-            return Err(Error::CapacityExceeded("problem instances"));
-        }
-        (known..problem.count()).try_for_each(|index| {
-            let points = PointSet::all(problem.domain());
-            let mut scene = Scene::<R>::blank(problem.domain(), problem.instance(index)?, points);
-            scene.place_points()
-        })
-    }
-
-    /// Evaluates the right sides in all instances and lays out the forms. There are no
-    /// samples.
-    ///
-    /// Right sides that do not vary, or vary as an earlier one does, would say
-    /// nothing new: thresholds absorb the difference.
-    pub(super) fn lay_out(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
-        self.rhs_features.clear();
-        self.fill_rows(problem, &mut |values, row| {
-            for (slot, value) in row.iter_mut().zip(values) {
-                *slot = *value;
-            }
-        })?;
-        for level in 0..LEVELS {
-            for dimension in Dimension::ALL {
-                let start = self.rhs_features.len();
-                self.add_rhs(problem, level, dimension)?;
-                let own = self.layout.rhs.get_mut(level);
-                if let Some(slot) = own.and_then(|own| own.get_mut(dimension as usize)) {
-                    *slot = Places::between(start, self.rhs_features.len());
-                }
-            }
-        }
-        self.add_scene(problem);
-        let rhs = core::mem::replace(&mut self.rhs_features, Table::new(&mut [], ""));
-        let filled = self.fill_rows(problem, &mut |values, row| {
-            for (slot, feature) in row.iter_mut().zip(rhs.as_slice()) {
-                let value = values.get(usize::from(*feature)).copied();
-                *slot = value.unwrap_or(R::ZERO);
-            }
-        });
-        self.rhs_features = rhs;
-        self.used = self.layout.runs().map(|run| run.forms.len()).sum();
-        for (level, length) in self.level_length.iter_mut().enumerate() {
-            let own = self.layout.runs().filter(|run| run.level == level);
-            let directed = 2 * own.map(|run| run.forms.len()).sum::<usize>();
-            *length = (level + 1) as f64 + libm::log2(directed.max(1) as f64);
-        }
-        filled
-    }
-
-    /// Calls `fill` with the values of all features in each instance and its row.
-    #[inline(never)]
-    fn fill_rows(
-        &mut self,
-        problem: &Problem<'_>,
-        fill: &mut dyn FnMut(&[R], &mut [R]),
-    ) -> Result<(), Error> {
-        let points = PointSet::all(problem.domain());
-        let theta = [R::ZERO; MAX_PARAMETERS];
-        let rows = self
-            .values
-            .rhs
-            .chunks_exact_mut(self.values.rhs_count.max(1));
-        for (index, row) in (0..problem.count()).zip(rows) {
-            let mut scene = Scene::blank(problem.domain(), problem.instance(index)?, points);
-            scene.place_points()?;
-            // There are no samples yet, so their table is free.
-            self.features.evaluate_into(&scene, &theta, self.values.lhs);
-            fill(self.values.lhs, row);
-        }
-        Ok(())
-    }
-
-    /// Appends the right sides of a level and dimension.
-    fn add_rhs(
-        &mut self,
-        problem: &Problem<'_>,
-        level: usize,
-        dimension: Dimension,
-    ) -> Result<(), Error> {
-        let complexity = match level {
-            0 if self.layout.has_lhs(dimension) => return self.rhs_features.push(NOTHING),
-            0 => return Ok(()),
-            1 => 1,
-            _ => 2,
-        };
-        for feature in self.features.rhs(complexity, dimension) {
-            let nodes = self.features.nodes();
-            let scaled = matches!(nodes.get(feature), Some(Node::Product(..)));
-            let id = feature_id(feature);
-            let domain = problem.domain();
-            let varies = domain.dependence(nodes, id) == Dependence::Instance
-                && !Kind::is_share_of_place(domain, nodes, id);
-            if varies && scaled == (level == 3) && self.is_new(problem.count(), feature) {
-                self.rhs_features.push(id.0)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Appends the attributes that are no right sides yet, for sums.
-    fn add_scene(&mut self, problem: &Problem<'_>) {
-        for place in 0..self.lefts.len() {
-            let scene = self.left(place).filter(|left| left.tier == Tier::Scene);
-            let Some(feature) = scene.map(|left| left.feature) else {
-                continue;
-            };
-            if self.is_new(problem.count(), usize::from(feature)) {
-                // One without room is no right side.
-                let _ = self.rhs_features.push(feature);
-            }
-        }
-    }
-
-    /// Whether a right side differs from nothing and from the earlier ones by more
-    /// than a constant.
-    fn is_new(&self, count: usize, feature: usize) -> bool {
-        let rows = || {
-            let rows = self.values.rhs.chunks_exact(self.values.rhs_count.max(1));
-            rows.take(count)
-        };
-        let value = |row: &[R], feature: usize| row.get(feature).copied().unwrap_or(R::ZERO);
-        let same = |other: usize| {
-            let mut differences = rows().map(|row| value(row, feature) - value(row, other));
-            let first = differences.next().unwrap_or(R::ZERO);
-            differences.all(|d| (d - first).abs() <= tolerance(first))
-        };
-        // "Nothing" has no value in a row, which counts as zero.
-        let mut earlier = self.rhs_features.as_slice().iter();
-        rows().all(|row| value(row, feature).is_finite())
-            && !earlier.any(|other| same(usize::from(*other)))
     }
 
     pub(super) fn len(&self) -> usize {
@@ -508,52 +335,6 @@ impl<'m, R: Real> Forms<'m, R> {
         if let Some(word) = self.sample_sets.get_mut(start + sample / 64) {
             *word |= 1 << (sample % 64);
         }
-    }
-
-    /// The length of a bound's description in bits: which form, unless it is named
-    /// already, which direction, and which threshold of those that the samples tell
-    /// apart.
-    pub(super) fn bound_length(&self, form: &DirectedForm, named: bool) -> f64 {
-        let level = self.level_length.get(usize::from(form.level));
-        let length = match self.sum(form) {
-            Some(sum) => Some(f64::from(sum.length)),
-            None => level.map(|level| level + self.class_length(form)),
-        };
-        let length = length.filter(|_| !named);
-        length.unwrap_or(self.tuning.form_again) + self.threshold_length()
-    }
-
-    /// What a form costs for what it measures, in bits.
-    fn class_length(&self, form: &DirectedForm) -> f64 {
-        let tuning = self.tuning;
-        let lhs = self.left_term(form);
-        let node = self.features.nodes().get(usize::from(lhs.0));
-        let quantity = match node.filter(|_| self.has_bodies) {
-            Some(Node::Quantity(quantity) | Node::Extreme(_, quantity)) => quantity,
-            Some(Node::Parameter(_)) => return tuning.parameter_class,
-            _ => return 0.0,
-        };
-        match quantity {
-            Quantity::Relation(Relation::Coordinate(_), ..) => tuning.parameter_class,
-            Quantity::Relation(
-                Relation::InsideAlong(_) | Relation::Corner | Relation::Magnitude(_),
-                ..,
-            )
-            | Quantity::Angle(..)
-            | Quantity::FoldedAngle(..)
-            | Quantity::Off(..)
-            | Quantity::VertexAngle(..) => tuning.axis_class,
-            Quantity::Relation(..) | Quantity::Attribute(_) => 0.0,
-            Quantity::Distance(Metric::Straight, ..) | Quantity::Gap(..) | Quantity::Sight(..) => {
-                tuning.distance_class
-            }
-            Quantity::Distance(..) | Quantity::Coordinate(..) => tuning.world_class,
-        }
-    }
-
-    /// The length of a threshold's description, among those that the samples tell apart.
-    pub(super) fn threshold_length(&self) -> f64 {
-        self.threshold_length
     }
 
     /// How many samples there are.
