@@ -1,5 +1,6 @@
 //! The features that the grammar makes of a domain, enumerated into a table.
 
+use super::block::{Block, Blocks, block_at, set_block};
 use super::leaves::{Visit, attributes, coordinates, relations};
 use crate::domain::{Dependence, Dimension, Domain, MAX_FEATURES, Node, NodeId, Sample, Scene};
 use crate::error::Error;
@@ -13,39 +14,10 @@ pub const FACTORS: [f64; 5] = [0.25, 0.5, 0.75, 1.25, 1.5];
 /// The most complex features that are made.
 pub const MAX_COMPLEXITY: usize = 4;
 
-const DIMENSIONS: usize = Dimension::ALL.len();
-
 /// The term of a feature.
 pub(crate) fn feature_id(index: usize) -> NodeId {
     NodeId(u16::try_from(index).unwrap_or(u16::MAX))
 }
-
-/// Features of one complexity and dimension, which stand together.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Block {
-    start: u16,
-    kept: u16,
-    /// How many features the grammar has, with those that found no room.
-    enumerated: u32,
-}
-
-impl Block {
-    /// An empty block behind this many features.
-    fn behind(features: usize) -> Block {
-        Block {
-            start: feature_id(features).0,
-            ..Block::default()
-        }
-    }
-
-    fn range(&self) -> Range<usize> {
-        let start = usize::from(self.start);
-        start..start + usize::from(self.kept)
-    }
-}
-
-/// Blocks of each complexity, from 1, and dimension.
-type Blocks<const COMPLEXITIES: usize> = [[Block; DIMENSIONS]; COMPLEXITIES];
 
 /// The features that the grammar makes of a domain (thesis 4.2), simple ones first, and
 /// their values at a sample.
@@ -486,24 +458,6 @@ fn each_lhs(
         attributes(domain, dimension, visit);
     }
     coordinates(domain, dimension, sampled, visit);
-}
-
-fn block_at(blocks: &[[Block; DIMENSIONS]], complexity: usize, dimension: Dimension) -> Block {
-    let row = complexity.checked_sub(1).and_then(|c| blocks.get(c));
-    let block = row.and_then(|row| row.get(dimension as usize));
-    block.copied().unwrap_or_default()
-}
-
-fn set_block(
-    blocks: &mut [[Block; DIMENSIONS]],
-    complexity: usize,
-    dimension: Dimension,
-    block: Block,
-) {
-    let row = complexity.checked_sub(1).and_then(|c| blocks.get_mut(c));
-    if let Some(slot) = row.and_then(|row| row.get_mut(dimension as usize)) {
-        *slot = block;
-    }
 }
 
 /// How many features of a block of complexity 1 are not plain numbers.

@@ -5,6 +5,7 @@
 //! samples. A [`Formula`] is a statement made of constraints with `and`, `or` and
 //! `not`; it has a text form and is what regions are made of.
 
+mod block;
 mod body_leaves;
 mod derived;
 mod features;
