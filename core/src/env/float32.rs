@@ -3,7 +3,8 @@
 //! The environments that were recorded from it round what they draw and what they read,
 //! and so replay it to the last bit. The rest of the library hands on doubles as they are.
 
-use crate::task::Parameters;
+use crate::task::{self, Environment, OperatorId, Parameters};
+use rand_core::Rng;
 
 /// A parameter as the framework reads it.
 pub(super) fn read(parameter: f64) -> f32 {
@@ -16,4 +17,12 @@ pub(super) fn drawn(mut parameters: Parameters) -> Parameters {
         *parameter = f64::from(read(*parameter));
     }
     parameters
+}
+
+/// Parameters uniform over the space of an operator's controller, as the framework draws them.
+pub(super) fn sample_uniform<E: Environment>(
+    operator: OperatorId,
+    rng: &mut impl Rng,
+) -> Parameters {
+    drawn(task::sample_uniform::<E>(operator, rng))
 }

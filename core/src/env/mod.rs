@@ -5,6 +5,14 @@
 //! others (`blocks`, `cluttered_table`, `coffee`, `cover`, `shelf`, `stick_button_move`)
 //! are there with the Cargo feature `environments`.
 
+/// A text about the objects of an environment, behind its constants. The files are beside the
+/// one that asks for them.
+macro_rules! text {
+    ($objects:literal) => {
+        concat!(include_str!("skills/constants.txt"), include_str!($objects))
+    };
+}
+
 #[cfg(feature = "environments")]
 pub mod blocks;
 #[cfg(feature = "environments")]

@@ -66,7 +66,7 @@ use crate::domain::{Attribute, Dimension};
 use crate::env::float32;
 use crate::task::{
     Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, OperatorId,
-    Parameters, Predicate, State, TypeId, sample_uniform,
+    Parameters, Predicate, State, TypeId,
 };
 use core::f64::consts::{FRAC_PI_3, FRAC_PI_4, PI};
 use rand_core::Rng;
@@ -147,7 +147,7 @@ impl Environment for Coffee {
         _: &[ObjectId],
         rng: &mut G,
     ) -> Parameters {
-        float32::drawn(sample_uniform::<Self>(operator, rng))
+        float32::sample_uniform::<Self>(operator, rng)
     }
 }
 

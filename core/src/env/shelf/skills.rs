@@ -3,13 +3,6 @@
 use super::{PICK, PLACE, Shelf};
 use crate::skill::{Describe, Description};
 
-/// A text about objects, behind the constants.
-macro_rules! text {
-    ($objects:literal) => {
-        concat!(include_str!("skills/constants.txt"), include_str!($objects))
-    };
-}
-
 static DESCRIPTIONS: [Description; 3] = [
     Description::alone(PICK, text!("skills/pick.txt")),
     Description::alone(PLACE, text!("skills/place.txt")),

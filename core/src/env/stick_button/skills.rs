@@ -3,13 +3,6 @@
 use super::{PICK_STICK, PLACE_STICK, ROBOT_PRESS_BUTTON, STICK_PRESS_BUTTON, StickButton};
 use crate::skill::{Describe, Description};
 
-/// A text about objects, behind the constants.
-macro_rules! text {
-    ($objects:literal) => {
-        concat!(include_str!("skills/constants.txt"), include_str!($objects))
-    };
-}
-
 static DESCRIPTIONS: [Description; 4] = [
     Description::alone(PICK_STICK, text!("skills/pick.txt")),
     Description::alone(ROBOT_PRESS_BUTTON, text!("skills/press.txt")),

@@ -61,7 +61,7 @@ use crate::domain::{Attribute, Dimension};
 use crate::env::float32;
 use crate::task::{
     Controller, Environment, Failure, Naming, ObjectId, ObjectType, Operator, OperatorId,
-    Parameters, Predicate, State, TypeId, sample_uniform,
+    Parameters, Predicate, State, TypeId,
 };
 use rand_core::Rng;
 
@@ -108,7 +108,7 @@ impl Environment for StickButtonMove {
         _: &[ObjectId],
         rng: &mut G,
     ) -> Parameters {
-        float32::drawn(sample_uniform::<Self>(operator, rng))
+        float32::sample_uniform::<Self>(operator, rng)
     }
 }
 

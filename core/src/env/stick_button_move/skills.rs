@@ -6,13 +6,6 @@ use super::{
 };
 use crate::skill::{Describe, Description};
 
-/// A text about objects, behind the constants.
-macro_rules! text {
-    ($objects:literal) => {
-        concat!(include_str!("skills/constants.txt"), include_str!($objects))
-    };
-}
-
 static DESCRIPTIONS: [Description; 5] = [
     Description::alone(PICK_STICK, text!("skills/pick.txt")),
     Description::alone(ROBOT_MOVE_TO_BUTTON, text!("skills/robot_move.txt")),
