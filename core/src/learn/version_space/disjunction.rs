@@ -90,42 +90,69 @@ fn excluded_around<R: Real>(
     open: &mut SampleSet,
 ) -> Option<(usize, Clause<R>)> {
     let values = view.column(&below);
-    let at = values.at(pivot);
-    let [low, high] = neighbours(view, &below, at);
+    let gap = Gap::around(view, below, pivot);
     let mut inside = SampleSet::EMPTY;
     inside.insert(pivot);
-    let value = |sample: &usize| values.at(*sample);
-    for sample in open.iter().filter(|s| low < value(s) && value(s) < high) {
+    for sample in open.iter().filter(|s| gap.contains(values.at(*s))) {
         inside.insert(sample);
     }
     open.subtract(&inside);
     let count = inside.len();
-    let clause = match (low.is_finite(), high.is_finite()) {
-        _ if !(low < at && at < high) => return None,
+    let clause = match (gap.low.is_finite(), gap.high.is_finite()) {
+        _ if !gap.contains(gap.at) => return None,
         (false, false) => return None,
         (true, false) => Clause::new(Bound::inside(view, below)),
         (false, true) => Clause::new(Bound::inside(view, below.reversed())),
         (true, true) if count < FEWEST_INSIDE => return None,
-        (true, true) => Clause::any_of(
-            Bound::new(below, low, at, R::ONE),
-            Bound::new(below.reversed(), -high, -at, R::ONE),
-        ),
+        (true, true) => gap.outside(),
     };
     Some((count, clause))
 }
 
-/// The values of a form at feasible samples that are next to a value, below it and not below
-/// it.
-fn neighbours<R: Real>(view: &StepView<'_, '_, R>, form: &DirectedForm, at: R) -> [R; 2] {
-    let (mut low, mut high) = (R::NEG_INFINITY, R::INFINITY);
-    for value in view.column(form).of_all(&view.feasible) {
-        if value < at {
-            low = low.max(value);
-        } else {
-            high = high.min(value);
+/// The values of a form around that of a certain sample, up to the next ones at which
+/// something works.
+struct Gap<R> {
+    /// The form, bounded from above.
+    below: DirectedForm,
+    /// The value of the sample.
+    at: R,
+    /// The next value below it.
+    low: R,
+    /// The next value that is not below it.
+    high: R,
+}
+
+impl<R: Real> Gap<R> {
+    fn around(view: &StepView<'_, '_, R>, below: DirectedForm, sample: usize) -> Gap<R> {
+        let values = view.column(&below);
+        let at = values.at(sample);
+        let (mut low, mut high) = (R::NEG_INFINITY, R::INFINITY);
+        for value in values.of_all(&view.feasible) {
+            if value < at {
+                low = low.max(value);
+            } else {
+                high = high.min(value);
+            }
+        }
+        Gap {
+            below,
+            at,
+            low,
+            high,
         }
     }
-    [low, high]
+
+    fn contains(&self, value: R) -> bool {
+        self.low < value && value < self.high
+    }
+
+    /// The clause that excludes it, where it has two ends.
+    fn outside(&self) -> Clause<R> {
+        Clause::any_of(
+            Bound::new(self.below, self.low, self.at, R::ONE),
+            Bound::new(self.below.reversed(), -self.high, -self.at, R::ONE),
+        )
+    }
 }
 
 /// A clause and what it is worth.
@@ -206,21 +233,15 @@ impl<R: Real> Search<'_, '_, '_, R> {
 
     /// The clause that excludes the interval of a form around the pivot.
     fn interval(&self, below: DirectedForm) -> Option<Candidate<R>> {
-        let values = self.view.column(&below);
         self.view
             .note_values(self.view.feasible.len() + self.view.infeasible.len());
-        let at = values.at(self.pivot);
-        let [low, high] = neighbours(self.view, &below, at);
-        if !(low.is_finite() && high.is_finite() && at < high) {
+        let gap = Gap::around(self.view, below, self.pivot);
+        if !(gap.low.is_finite() && gap.high.is_finite() && gap.contains(gap.at)) {
             return None;
         }
-        let inside = values.of_all(self.open);
-        let excluded = inside.filter(|v| low < *v && *v < high).count();
-        let clause = Clause::any_of(
-            Bound::new(below, low, at, R::ONE),
-            Bound::new(below.reversed(), -high, -at, R::ONE),
-        );
-        Some(self.rate(clause, excluded))
+        let values = self.view.column(&below);
+        let inside = values.of_all(self.open).filter(|v| gap.contains(*v));
+        Some(self.rate(gap.outside(), inside.count()))
     }
 
     /// Two bounds of simple forms, neither of which the pivot satisfies, and one of
