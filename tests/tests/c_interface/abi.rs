@@ -125,6 +125,11 @@ fn wrong_regions() {
 }
 
 #[test]
+fn wrong_uses_of_the_environment() {
+    passes("misuse_environment", &["misuse_environment.c"]);
+}
+
+#[test]
 fn wrong_planners() {
     passes("misuse_planner", &["misuse_planner.c"]);
 }
