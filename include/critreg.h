@@ -4208,6 +4208,23 @@ critreg_status critreg_skills_init(void *memory,
                                    struct critreg_skills **skills);
 
 /**
+ * Why the last call on these skills failed that did fail, in words, as
+ * critreg_learner_message().
+ *
+ * @param skills The skills; may be called from their callbacks.
+ * @param text Receives the words, ended by NUL.
+ * @param len Length of text in bytes; 0 to ask for the length only.
+ * @param needed NULL, or receives the length of the words with their NUL, also if the buffer
+ * is too small.
+ * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_NULL_POINTER,
+ * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
+ */
+critreg_status critreg_skills_message(const struct critreg_skills *skills,
+                                      char *text,
+                                      size_t len,
+                                      size_t *needed);
+
+/**
  * Adds a controller: what several PDDL actions may run, with its continuous parameters.
  * Actions that no controller names are controllers of their own, without parameters.
  *
@@ -4289,23 +4306,6 @@ critreg_status critreg_skills_add_task(struct critreg_skills *skills,
                                        const char *problem,
                                        const double *initial,
                                        size_t len);
-
-/**
- * Why the last call on these skills failed that did fail, in words, as
- * critreg_learner_message().
- *
- * @param skills The skills; may be called from their callbacks.
- * @param text Receives the words, ended by NUL.
- * @param len Length of text in bytes; 0 to ask for the length only.
- * @param needed NULL, or receives the length of the words with their NUL, also if the buffer
- * is too small.
- * @return CRITREG_TOO_SMALL (nothing but needed is written); CRITREG_NULL_POINTER,
- * CRITREG_MISALIGNED, CRITREG_NOT_A_HANDLE.
- */
-critreg_status critreg_skills_message(const struct critreg_skills *skills,
-                                      char *text,
-                                      size_t len,
-                                      size_t *needed);
 
 /**
  * Learns all skills, one after the other, by trying operators in the program's simulator:

@@ -6,7 +6,10 @@
 //! | [`config`] | how much is tried, and what there is room for |
 //! | `layout` | where the parts of skills lie in their memory |
 //! | [`handle`] | skills in the caller's memory |
-//! | [`making`] | making them: controllers, skills and training tasks are added one by one |
+//! | [`making`] | making them in memory of the program |
+//! | [`controllers`] | adding controllers |
+//! | [`descriptions`] | adding skills: controllers, and what can be said of them |
+//! | [`training_tasks`] | adding training tasks |
 //! | `facts` | what is known of types, controllers and actions |
 //! | `arrangement` | which numbers of a state belong to which object |
 //! | `practice` | the callbacks as what skills are learned in |
@@ -18,6 +21,8 @@
 pub(crate) mod advice;
 pub(crate) mod arrangement;
 pub mod config;
+pub mod controllers;
+pub mod descriptions;
 pub(crate) mod facts;
 pub mod handle;
 pub(crate) mod layout;
@@ -26,3 +31,4 @@ pub mod making;
 pub(crate) mod practice;
 pub mod report;
 pub mod saving;
+pub mod training_tasks;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The files with the interface, in the order in which the manual tells it.
-const SOURCES: [&str; 49] = [
+const SOURCES: [&str; 52] = [
     "boundary/version.rs",
     "boundary/status.rs",
     "boundary/limits.rs",
@@ -50,6 +50,9 @@ const SOURCES: [&str; 49] = [
     "skill/config.rs",
     "skill/handle.rs",
     "skill/making.rs",
+    "skill/controllers.rs",
+    "skill/descriptions.rs",
+    "skill/training_tasks.rs",
     "skill/learning.rs",
     "skill/report.rs",
     "skill/saving.rs",
