@@ -214,6 +214,9 @@ tuning! {
     /// Share of the questions that narrow a bound although the committee is not of one mind:
     /// it may never be about one bound, and then says nothing about the others.
     narrowing: f64 = 0.3,
+    /// Share of the questions that look for a bound that fits by chance, where the committee is of
+    /// one mind and all gaps are narrow; the others explore.
+    probing: f64 = 0.5,
     /// How far inside or outside of a bound a probe lies, and how close to it another sample
     /// must be to make it superfluous, as a share of a narrow gap.
     probe: f64 = 0.5,

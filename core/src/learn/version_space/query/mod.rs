@@ -100,11 +100,11 @@ impl<R: Real> Strategy<'_, '_, R> {
         if narrows && (self.bisect(rng, query)? || self.probe(rng, query)?) {
             return Ok(true);
         }
-        Ok(
-            self.disagree(lhs, rng, query)?
-                || self.bisect(rng, query)?
-                || self.probe(rng, query)?,
-        )
+        if self.disagree(lhs, rng, query)? || self.bisect(rng, query)? {
+            return Ok(true);
+        }
+        let probes = uniform(rng) < self.forms.tuning().probing;
+        Ok(probes && self.probe(rng, query)?)
     }
 }
 
