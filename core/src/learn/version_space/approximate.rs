@@ -185,12 +185,8 @@ impl<R: Real> Hypothesis<R> {
 
     fn fit(&self, view: &StepView<'_, '_, R>) -> Fit {
         let (feasible, infeasible) = self.admitted(view);
-        let tuning = view.forms.tuning();
         let weigh = |set: &SampleSet| {
-            let weights = set.iter().map(|sample| match view.forms.is_drawn(sample) {
-                true => 1.0,
-                false => tuning.undrawn,
-            });
+            let weights = set.iter().map(|sample| view.forms.weight(sample));
             weights.sum::<f64>()
         };
         let missed = view.feasible.len() - feasible.len();

@@ -1,7 +1,8 @@
 //! How good the region is, and why there is none: in honest words.
 
 use super::VersionSpace;
-use super::forms::{LeftOut, StepView};
+use super::forms::{LeftOut, SampleSet, StepView};
+use super::hypothesis::Hypothesis;
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::Observation;
@@ -117,11 +118,31 @@ impl<R: Real> VersionSpace<'_, R> {
         if !self.is_explained() {
             return self.provisional();
         }
-        let most = self.config.tuning.strays * self.forms.samples() as f64;
-        match self.report.strays as f64 > most {
+        match self.admitted_wrongly() > self.config.tuning.admitted {
             true => Quality::Approximate,
             false => Quality::Exact,
         }
+    }
+
+    /// The share of what the best hypotheses admit that does not work. Samples that were not drawn
+    /// at random, but lie near a boundary, count less.
+    fn admitted_wrongly(&self) -> f64 {
+        if !self.committee.best().any(Hypothesis::is_strained) {
+            return 0.0;
+        }
+        let (mut wrongly, mut rightly) = (0.0, 0.0);
+        for (step, own) in self.committee.best().enumerate() {
+            let view = StepView::new(&self.forms, step);
+            let weigh = |set: &SampleSet| {
+                let admitted = set.iter().filter(|sample| own.admits(&view, *sample));
+                let weights = admitted.map(|sample| self.forms.weight(sample));
+                weights.sum::<f64>()
+            };
+            wrongly += weigh(&view.infeasible);
+            // What works comes to the last step.
+            rightly = weigh(&view.feasible);
+        }
+        wrongly / (wrongly + rightly).max(1.0)
     }
 
     /// The best region there is, of whatever quality.

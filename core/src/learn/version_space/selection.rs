@@ -264,6 +264,21 @@ impl<R: Real> VersionSpace<'_, R> {
         }
     }
 
+    /// How many samples the hypotheses of all steps are wrong about.
+    pub(super) fn count_wrong<'h>(
+        &self,
+        hypotheses: impl Iterator<Item = &'h Hypothesis<R>>,
+    ) -> usize
+    where
+        R: 'h,
+    {
+        let wrong = hypotheses.enumerate().map(|(step, own)| {
+            let view = StepView::new(&self.forms, step);
+            own.wrong(&view).count()
+        });
+        wrong.sum()
+    }
+
     /// The hypothesis of each step that makes the region.
     pub(super) fn shown(&self) -> impl Iterator<Item = &Hypothesis<R>> {
         shown(&self.committee, self.approximations, self.approximating)
@@ -290,11 +305,7 @@ impl<R: Real> VersionSpace<'_, R> {
     /// supports its constraints. One that finds no room is left out and counted.
     #[inline(never)]
     pub(super) fn rebuild_region(&mut self, domain: &Domain<'_>) {
-        let wrong = self.shown().enumerate().map(|(step, own)| {
-            let view = StepView::new(&self.forms, step);
-            own.wrong(&view).count()
-        });
-        self.report.strays = wrong.sum();
+        self.report.strays = self.count_wrong(self.shown());
         if !self.is_written(domain) {
             self.report.certificate = Certificate::default();
             (self.report.found, self.report.inside) = (0, 0);

@@ -114,8 +114,10 @@ tuning! {
     /// By how many bits the answers must be longer than their explanation: one of
     /// 2^significance times that answers by chance seem to be explained.
     significance: f64 = 10.0,
-    /// Up to which share of the answers may stray from an exact region.
+    /// Up to which share of the answers may stray from an explanation.
     strays: f64 = 0.05,
+    /// Up to which share of what an exact region admits may fail.
+    admitted: f64 = 0.01,
     /// Bits for an answer that a region is wrong about where none explains all: the log odds
     /// of 2% wrong answers.
     wrong: f64 = 6.0,

@@ -347,10 +347,13 @@ impl<'m, R: Real> Forms<'m, R> {
         self.values.instance_of(sample)
     }
 
-    /// Whether a sample was drawn at random.
-    pub(super) fn is_drawn(&self, sample: usize) -> bool {
+    /// How much a sample counts for how good a region is: less, if it was not drawn at random.
+    pub(super) fn weight(&self, sample: usize) -> f64 {
         let sample = self.values.samples.as_slice().get(sample);
-        sample.is_some_and(|sample| !sample.is(Origin::Chosen))
+        match sample.is_some_and(|sample| !sample.is(Origin::Chosen)) {
+            true => 1.0,
+            false => self.tuning.undrawn,
+        }
     }
 
     /// The samples that are put aside.
