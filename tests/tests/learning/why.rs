@@ -26,7 +26,7 @@ const BAR: &str = "
 ";
 
 #[test]
-fn answers_that_contradict_each_other_are_told_of_an_exact_region() {
+fn answers_that_contradict_each_other_are_told_of_a_region_that_strays() {
     let domain = Domain::parse(WALL).unwrap();
     let problem = Problem::new(&domain, &WALLS, 4).unwrap();
     let mut room = VersionSpaceRoom::<f64>::new(Capacity::new(1024, 128));
@@ -52,7 +52,8 @@ fn answers_that_contradict_each_other_are_told_of_an_exact_region() {
     let wrong = Outcome::from_feasible(false);
     learner.observe(&problem, &query, wrong).unwrap();
     learner.conclude(&problem).unwrap();
-    assert_eq!(learner.quality(), Quality::Exact);
+    // One of some thirty that it admits is more than an exact region may be wrong about.
+    assert_eq!(learner.quality(), Quality::Approximate);
     let (asked, differing) = (1, 1);
     assert_eq!(learner.why(), Why::Contradiction { asked, differing });
 }

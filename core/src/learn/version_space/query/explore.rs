@@ -115,7 +115,9 @@ impl<R: Real> Strategy<'_, '_, R> {
             let pairs = own.theta.iter().zip(&query.theta);
             let pairs = pairs.zip(self.problem.domain().parameters());
             let squares = pairs.map(|((a, b), p)| {
-                let share = (a - b) / (p.high - p.low);
+                let share = (a - b).abs() / (p.high - p.low);
+                // Ends of a range meet: otherwise the farthest would mostly be a corner.
+                let share = share.min(1.0 - share);
                 share * share
             });
             squares.filter(|s| s.is_finite()).sum::<f64>()
