@@ -171,10 +171,11 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     }
 
     /// Whether the last phase would begin before a selection comes to its end that begins now,
-    /// if it takes as long as the one before.
+    /// if it takes one question more than the one before: there are more answers by now.
     fn is_time_for_last(&self, open: u32) -> bool {
-        let slices = self.selection.slices.saturating_sub(1);
-        let soon = self.phase(open.saturating_add(slices)).is_last();
+        let soon = self
+            .phase(open.saturating_add(self.selection.slices))
+            .is_last();
         soon && !self.certifying && !self.selection.last
     }
 
