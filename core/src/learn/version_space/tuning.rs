@@ -189,7 +189,7 @@ tuning! {
     /// `disjunctions_beyond`.
     disjunctions: u32 = 3,
     /// See `disjunctions`, in bits.
-    disjunctions_beyond: f64 = 80.0,
+    disjunctions_beyond: f64 = 50.0,
     /// By how many bits the best hypotheses may grow before they are doubted.
     growth: f64 = 3.0,
     /// How many times as many samples as at the last selection there are when one is made
