@@ -106,7 +106,7 @@ impl Region {
         let values = values.get_mut(..count).unwrap_or_default();
         self.margins::<f64>(domain, instance, theta, values, &mut [])?;
         let within = |place: usize| values.get(place).map_or(f64::INFINITY, |margin| -margin);
-        Ok(self.formula.robustness(within))
+        self.formula.robustness(within)
     }
 
     /// Computes the margin of each constraint, in whatever numbers.

@@ -234,6 +234,34 @@ impl Formula {
         self.truth_of_masks(hold, fail)
     }
 
+    /// Follows its steps: `of` makes something of each, with its place, of what it makes of those
+    /// that the step joins, left and right; `not` has a right one alone. Returns what it makes of
+    /// the last, which is none for `true`.
+    ///
+    /// # Errors
+    /// Those of `of`; [`Error::InvalidArgument`] if the steps do not fit together.
+    pub(crate) fn fold<T: Copy>(
+        &self,
+        mut of: impl FnMut(usize, Step, [Option<T>; 2]) -> Result<T, Error>,
+    ) -> Result<Option<T>, Error> {
+        let missing = Error::InvalidArgument("the steps of a formula do not fit together");
+        let mut waiting: Vec<T, { MAX_FORMULA_STEPS / 2 }> = Vec::new();
+        for (place, step) in self.steps.iter().enumerate() {
+            let mut pop = || waiting.pop().ok_or(missing).map(Some);
+            let operands = match step {
+                Step::Constraint(_) | Step::True => [None, None],
+                Step::Not => [None, pop()?],
+                Step::And | Step::Or => {
+                    let right = pop()?;
+                    [pop()?, right]
+                }
+            };
+            let made = of(place, *step, operands)?;
+            waiting.push(made).map_err(|_| missing)?;
+        }
+        Ok(waiting.pop())
+    }
+
     /// What is known of it, given a bit for each constraint that may hold and one
     /// for each that may fail.
     pub fn truth_of_masks(&self, may_hold: u32, may_fail: u32) -> Truth {

@@ -1,30 +1,27 @@
 //! How far a formula is from changing its mind.
 
 use super::{Formula, Step};
-use heapless::Vec;
-
-/// Statements that wait for what joins them: a formula of 96 steps is at most 48 deep.
-const DEPTH: usize = 48;
+use crate::error::Error;
 
 impl Formula {
     /// How far it is from being false, or below zero from being true, given how far each of
     /// its constraints is: of what `and` joins the least, of what `or` joins the greatest, and
     /// the contrary of what `not` denies.
-    pub(crate) fn robustness(&self, constraint: impl Fn(usize) -> f64) -> f64 {
-        let mut waiting: Vec<f64, DEPTH> = Vec::new();
-        for step in &self.steps {
-            let mut last = || waiting.pop().unwrap_or(f64::INFINITY);
-            let value = match step {
-                Step::Constraint(index) => constraint(usize::from(*index)),
+    ///
+    /// # Errors
+    /// Those of [`Formula::fold`].
+    pub(crate) fn robustness(&self, constraint: impl Fn(usize) -> f64) -> Result<f64, Error> {
+        let robustness = self.fold(|_, step, [left, right]: [Option<f64>; 2]| {
+            let [left, right] = [left, right].map(|own| own.unwrap_or(f64::INFINITY));
+            Ok(match step {
+                Step::Constraint(index) => constraint(usize::from(index)),
                 Step::True => f64::INFINITY,
-                Step::Not => -last(),
-                Step::And => last().min(last()),
-                Step::Or => last().max(last()),
-            };
-            // There is a place for each.
-            let _ = waiting.push(value);
-        }
-        waiting.pop().unwrap_or(f64::INFINITY)
+                Step::Not => -right,
+                Step::And => left.min(right),
+                Step::Or => left.max(right),
+            })
+        })?;
+        Ok(robustness.unwrap_or(f64::INFINITY))
     }
 }
 
@@ -56,7 +53,11 @@ mod tests {
         for (text, worth, expected) in cases {
             let formula = Formula::parse(&domain, text).unwrap();
             assert_eq!(formula.constraints().len(), worth.len(), "{text}");
-            assert_eq!(formula.robustness(|place| worth[place]), expected, "{text}");
+            assert_eq!(
+                formula.robustness(|place| worth[place]),
+                Ok(expected),
+                "{text}"
+            );
         }
     }
 }

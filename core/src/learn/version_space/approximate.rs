@@ -185,14 +185,10 @@ impl<R: Real> Hypothesis<R> {
 
     fn fit(&self, view: &StepView<'_, '_, R>) -> Fit {
         let (feasible, infeasible) = self.admitted(view);
-        let weigh = |set: &SampleSet| {
-            let weights = set.iter().map(|sample| view.forms.weight(sample));
-            weights.sum::<f64>()
-        };
         let missed = view.feasible.len() - feasible.len();
         Fit {
-            feasible: weigh(&feasible),
-            infeasible: weigh(&infeasible),
+            feasible: view.forms.weigh(feasible.iter()),
+            infeasible: view.forms.weigh(infeasible.iter()),
             wrong: (missed + infeasible.len()) as u32,
         }
     }

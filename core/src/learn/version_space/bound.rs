@@ -127,20 +127,20 @@ impl<R: Real> Bound<R> {
         let threshold = self.threshold(tuning);
         // What they cost at least.
         let mut least = R::ZERO;
-        let one = R::from_f64(tuning.stray);
-        let way = R::from_f64(tuning.stray_distance) / self.range;
+        let cost = |by: R| R::from_f64(self.cost_of_way(by, tuning));
         let mut note = |sample: usize, by: R| {
             if by <= R::ZERO {
                 return true;
             }
             let instance = forms.instance_of(sample);
             if let Some(stray) = strays.iter_mut().find(|s| s.instance == instance) {
-                least += way * (by - stray.by).max(R::ZERO);
-                stray.by = stray.by.max(by);
+                let by_most = stray.by.max(by);
+                least += cost(by_most) - cost(stray.by);
+                stray.by = by_most;
                 stray.samples += 1;
                 return by <= zone && !is_beyond(least, most);
             }
-            least += one + way * by;
+            least += cost(by);
             let stray = Stray {
                 instance,
                 by,
@@ -179,9 +179,12 @@ impl<R: Real> Bound<R> {
         } else {
             tuning.stray_sample
         };
-        tuning.stray
-            + tuning.stray_distance * (stray.by / self.range).to_f64()
-            + mixed * f64::from(stray.samples)
+        self.cost_of_way(stray.by, tuning) + mixed * f64::from(stray.samples)
+    }
+
+    /// What an instance costs at least that strays so far.
+    fn cost_of_way(&self, by: R, tuning: &Tuning) -> f64 {
+        tuning.stray + tuning.stray_distance * (by / self.range).to_f64()
     }
 
     /// Where the bound is drawn.

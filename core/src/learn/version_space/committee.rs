@@ -116,6 +116,11 @@ impl<'m, R: Real> Committee<'m, R> {
         self.best().all(|best| best.consistent)
     }
 
+    /// Whether samples stray from the best hypotheses.
+    pub(super) fn is_strained(&self) -> bool {
+        self.best().any(Hypothesis::is_strained)
+    }
+
     /// The length of the best hypotheses in bits.
     pub(super) fn length(&self, forms: &Forms<'_, R>) -> f64 {
         self.best().map(|best| best.length(forms)).sum()

@@ -233,8 +233,7 @@ impl<R: Real> Search<'_, '_, '_, R> {
 
     /// The clause that excludes the interval of a form around the pivot.
     fn interval(&self, below: DirectedForm) -> Option<Candidate<R>> {
-        self.view
-            .note_values(self.view.feasible.len() + self.view.infeasible.len());
+        self.view.note_look();
         let gap = Gap::around(self.view, below, self.pivot);
         if !(gap.low.is_finite() && gap.high.is_finite() && gap.contains(gap.at)) {
             return None;
@@ -263,8 +262,7 @@ impl<R: Real> Search<'_, '_, '_, R> {
     fn candidate(&self, forms: [DirectedForm; 2]) -> Option<Candidate<R>> {
         let [first, second] = forms;
         let columns = [self.view.column(&first), self.view.column(&second)];
-        self.view
-            .note_values(self.view.feasible.len() + self.view.infeasible.len());
+        self.view.note_look();
         let [own, other] = &columns;
         let at = [own.at(self.pivot), other.at(self.pivot)];
         let corner = self.view.corner([&first, &second], at);

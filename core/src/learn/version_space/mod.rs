@@ -278,8 +278,7 @@ impl<'m, R: Real> VersionSpace<'m, R> {
     /// Whether so many samples stray from the best hypotheses that these do not explain them.
     fn is_strayed(&self) -> bool {
         let most = self.config.tuning.strays * self.forms.samples() as f64;
-        let strained = self.committee.best().any(Hypothesis::is_strained);
-        strained && self.count_wrong(self.committee.best()) as f64 > most
+        self.committee.is_strained() && self.count_wrong(self.committee.best()) as f64 > most
     }
 
     /// Starts the random numbers of a step anew. They follow from what was told, not from

@@ -2,7 +2,6 @@
 
 use super::VersionSpace;
 use super::forms::{LeftOut, SampleSet, StepView};
-use super::hypothesis::Hypothesis;
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::learn::Observation;
@@ -124,23 +123,21 @@ impl<R: Real> VersionSpace<'_, R> {
         }
     }
 
-    /// The share of what the best hypotheses admit that does not work. Samples that were not drawn
-    /// at random, but lie near a boundary, count less.
+    /// The share of what the best hypotheses admit that does not work.
     fn admitted_wrongly(&self) -> f64 {
-        if !self.committee.best().any(Hypothesis::is_strained) {
+        if !self.committee.is_strained() {
             return 0.0;
         }
         let (mut wrongly, mut rightly) = (0.0, 0.0);
         for (step, own) in self.committee.best().enumerate() {
             let view = StepView::new(&self.forms, step);
-            let weigh = |set: &SampleSet| {
+            let admitted = |set: &SampleSet| {
                 let admitted = set.iter().filter(|sample| own.admits(&view, *sample));
-                let weights = admitted.map(|sample| self.forms.weight(sample));
-                weights.sum::<f64>()
+                self.forms.weigh(admitted)
             };
-            wrongly += weigh(&view.infeasible);
+            wrongly += admitted(&view.infeasible);
             // What works comes to the last step.
-            rightly = weigh(&view.feasible);
+            rightly = admitted(&view.feasible);
         }
         wrongly / (wrongly + rightly).max(1.0)
     }
@@ -180,10 +177,8 @@ impl<R: Real> VersionSpace<'_, R> {
         let exact = self.quality() == Quality::Exact;
         // Nothing agrees with answers that contradict each other, unless some are known to be
         // wrong.
-        if exact && (self.config.noise > 0.0 || report.strays == 0) {
-            return Why::Explained;
-        }
-        if let Some(why) = self.contradiction() {
+        let agrees = exact && (self.config.noise > 0.0 || report.strays == 0);
+        if !agrees && let Some(why) = self.contradiction() {
             return why;
         }
         if exact {

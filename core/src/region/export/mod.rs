@@ -16,12 +16,11 @@ use super::lifted::Region;
 use super::program::{NOT_STRAIGHT, Operand, Places, Program, Term, Value};
 use crate::domain::{Domain, MAX_PARAMETERS, Node};
 use crate::error::Error;
-use crate::grammar::{Constraint, MAX_FORMULA_STEPS, Step};
+use crate::grammar::{Constraint, Step};
 use crate::real::Real;
 use crate::text::TextBuffer;
 use code::{Code, Part};
 use core::fmt;
-use heapless::Vec;
 use phrases::Phrases;
 
 /// Longest name of what is written as C.
@@ -178,26 +177,25 @@ impl Export<'_> {
     fn holds(&self, out: &mut dyn fmt::Write) -> Result<(), Error> {
         let (mut code, phrases) = (self.code(out), self.phrases);
         code.say(phrases.holds_begin, &[])?;
-        let mut stack: Vec<usize, MAX_FORMULA_STEPS> = Vec::new();
-        let missing = Error::InvalidArgument("the steps of a formula do not fit together");
-        for (number, step) in self.region.formula().steps().iter().enumerate() {
-            let mut pop = || stack.pop().map(Part::Whole).ok_or(missing);
+        let last = self.region.formula().fold(|number, step, operands| {
+            let parts = operands.map(|own: Option<usize>| Part::Whole(own.unwrap_or_default()));
+            let [left, right] = parts;
             code.say(phrases.step, &[number.into()])?;
             match step {
                 Step::Constraint(index) => {
-                    code.say(phrases.bit, &[usize::from(*index).into()])?;
+                    code.say(phrases.bit, &[usize::from(index).into()])?;
                 }
                 Step::True => code.raw(phrases.truth)?,
-                Step::Not => code.say("!b$a", &[pop()?])?,
-                Step::And => code.say("b$a & b$b", &[pop()?, pop()?])?,
-                Step::Or => code.say("b$a | b$b", &[pop()?, pop()?])?,
+                Step::Not => code.say("!b$a", &[right])?,
+                Step::And => code.say("b$a & b$b", &[right, left])?,
+                Step::Or => code.say("b$a | b$b", &[right, left])?,
             }
             code.raw(";\n")?;
-            stack.push(number).map_err(|_| missing)?;
-        }
+            Ok(number)
+        })?;
         let [begin, end] = phrases.holds_end;
         code.raw(begin)?;
-        match stack.pop() {
+        match last {
             Some(last) => code.say("b$a", &[last.into()])?,
             None => code.raw(phrases.truth)?,
         }

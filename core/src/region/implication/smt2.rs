@@ -8,12 +8,12 @@ use super::tape::{Corners, Node, Place, Ranges, range_of};
 use super::{Obligation, ProofConfig, Region, check};
 use crate::domain::{Domain, Range};
 use crate::error::Error;
-use crate::grammar::{Formula, MAX_FORMULA_STEPS, Step};
+use crate::grammar::{Formula, Step};
 use crate::real::Real;
 use crate::region::program::Operand;
 use crate::text::write_number;
 use core::fmt;
-use heapless::{String, Vec};
+use heapless::String;
 
 /// Room for a number in decimal digits.
 const DIGITS: usize = 40;
@@ -317,29 +317,26 @@ impl Script<'_, '_> {
         margins: &Margins,
         tolerance: f64,
     ) -> Result<(), Error> {
-        let missing = Error::InvalidArgument("the steps of a formula do not fit together");
-        let mut stack: Vec<usize, MAX_FORMULA_STEPS> = Vec::new();
-        for (index, step) in formula.steps().iter().enumerate() {
-            if let Step::Constraint(own) = step {
-                self.constraint((name, index), formula, (*own, margins), tolerance)?;
-            } else {
-                write!(self.out, "(define-fun {name}{index} () Bool ").map_err(full)?;
-                let mut pop = || stack.pop().ok_or(missing);
-                let (operator, operands) = match step {
-                    Step::Not => ("(not", [None, Some(pop()?)]),
-                    Step::And => ("(and", [Some(pop()?), Some(pop()?)]),
-                    Step::Or => ("(or", [Some(pop()?), Some(pop()?)]),
-                    Step::True | Step::Constraint(_) => ("(and true", [None, None]),
-                };
-                self.raw(operator)?;
-                for operand in operands.into_iter().rev().flatten() {
-                    write!(self.out, " {name}{operand}").map_err(full)?;
+        let last = formula.fold(|index, step, operands| {
+            let operator = match step {
+                Step::Constraint(own) => {
+                    self.constraint((name, index), formula, (own, margins), tolerance)?;
+                    return Ok(index);
                 }
-                self.raw("))\n")?;
+                Step::Not => "(not",
+                Step::And => "(and",
+                Step::Or => "(or",
+                Step::True => "(and true",
+            };
+            write!(self.out, "(define-fun {name}{index} () Bool ").map_err(full)?;
+            self.raw(operator)?;
+            for operand in operands.into_iter().flatten() {
+                write!(self.out, " {name}{operand}").map_err(full)?;
             }
-            stack.push(index).map_err(|_| missing)?;
-        }
-        match stack.pop() {
+            self.raw("))\n")?;
+            Ok(index)
+        })?;
+        match last {
             Some(last) => writeln!(self.out, "(define-fun {name} () Bool {name}{last})"),
             None => writeln!(self.out, "(define-fun {name} () Bool true)"),
         }

@@ -347,13 +347,16 @@ impl<'m, R: Real> Forms<'m, R> {
         self.values.instance_of(sample)
     }
 
-    /// How much a sample counts for how good a region is: less, if it was not drawn at random.
-    pub(super) fn weight(&self, sample: usize) -> f64 {
-        let sample = self.values.samples.as_slice().get(sample);
-        match sample.is_some_and(|sample| !sample.is(Origin::Chosen)) {
+    /// How much samples count for how good a region is: those that were not drawn at random, but
+    /// lie near a boundary, less.
+    pub(super) fn weigh(&self, samples: impl Iterator<Item = usize>) -> f64 {
+        let all = self.values.samples.as_slice();
+        let drawn = |sample: usize| all.get(sample).is_some_and(|own| !own.is(Origin::Chosen));
+        let weights = samples.map(|sample| match drawn(sample) {
             true => 1.0,
             false => self.tuning.undrawn,
-        }
+        });
+        weights.sum()
     }
 
     /// The samples that are put aside.

@@ -108,7 +108,13 @@ impl<R: Real> Forms<'_, R> {
             && self.view_left(step, lhs, upper)
         {
             let mut offers = Offers::new(self, &left, (lhs, upper), best);
-            for part in first..PARTS {
+            // Where nothing fails beyond what works there is nothing to look for.
+            let parts = if offers.most > 0.0 {
+                first..PARTS
+            } else {
+                0..0
+            };
+            for part in parts {
                 if part > first && self.work() >= most {
                     self.sums.best = offers.best;
                     return side * PARTS + part;
@@ -301,8 +307,7 @@ impl<'f, 'm, R: Real> Offers<'f, 'm, R> {
     fn limit(&mut self) {
         self.longest = match self.best.last().filter(|_| self.best.is_full()) {
             Some(least) => self.most / least.worth,
-            None if self.most > 0.0 => f32::INFINITY,
-            None => 0.0,
+            None => f32::INFINITY,
         };
     }
 }

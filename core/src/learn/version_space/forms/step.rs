@@ -49,6 +49,11 @@ impl<'v, 'm, R: Real> StepView<'v, 'm, R> {
         self.forms.add_work(count);
     }
 
+    /// Counts that the values of a form at all samples were looked at.
+    pub(in super::super) fn note_look(&self) {
+        self.note_values(self.feasible.len() + self.infeasible.len());
+    }
+
     /// The values of a form at the samples, outwards.
     #[inline(always)]
     pub(in super::super) fn column(&self, form: &DirectedForm) -> Column<'v, R> {
