@@ -3,9 +3,8 @@
 use super::baselines::{Labelled, forest, machine};
 use super::beyond;
 use super::judge::Score;
-use super::runs::{ask_and_tell, draw_theta, for_seeds};
+use super::runs::{ask_and_tell, draw_theta, for_seeds, with_learner};
 use super::scenario::Scenario;
-use crate::room::VersionSpaceRoom;
 use crate::text;
 use critreg::learn::version_space::{Config, Quality};
 use critreg::learn::{Learner, Problem, VersionSpace};
@@ -124,18 +123,26 @@ fn print_row(wanted: f64, name: &str, runs: &[Learned]) {
 }
 
 fn learn(scenario: &Scenario, seed: u64, wanted: f64) -> Learned {
-    let domain = &scenario.domain;
-    let instances = scenario.draw(seed, scenario.instances);
-    let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
-    let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
     let config = Config {
         // It is not told that answers are wrong.
         noise: 0.0,
         precision_wanted: wanted,
         ..scenario.config(seed)
     };
-    let mut learner = room.learner(domain, config).expect("enough room");
-    ask_and_tell(&mut learner, scenario, &problem, seed, |_, _| ());
+    with_learner(scenario, seed, config, |learner, problem| {
+        ask_and_tell(learner, scenario, problem, seed, |_, _| ());
+        judged(learner, scenario, seed, problem)
+    })
+}
+
+/// What came of a learner, on samples from its own instances and from fresh ones.
+fn judged(
+    learner: &VersionSpace<'_, f64>,
+    scenario: &Scenario,
+    seed: u64,
+    problem: &Problem<'_>,
+) -> Learned {
+    let instances = scenario.draw(seed, scenario.instances);
     let training = Samples::new(scenario, &instances, seed ^ 0x7124);
     let fresh = scenario.draw(seed ^ 0x7E57_0000_0000, FRESH[0]);
     let fresh = Samples::new(scenario, &fresh, seed ^ 0xF4E5);
@@ -155,8 +162,10 @@ fn learn(scenario: &Scenario, seed: u64, wanted: f64) -> Learned {
             holds(1, &|region| training.recall(region)),
             holds(1, &|region| fresh.recall(region)),
         ],
-        text: region.map_or(String::new(), |region| text::of_region(domain, region)),
-        others: others(&learner, &problem, &fresh, seed),
+        text: region.map_or(String::new(), |region| {
+            text::of_region(&scenario.domain, region)
+        }),
+        others: others(learner, problem, &fresh, seed),
     }
 }
 

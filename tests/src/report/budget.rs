@@ -1,11 +1,10 @@
 //! What few calls teach: how good the best region is, and what it is called.
 
 use super::judge::{Score, Truth};
-use super::runs::{ask_and_tell, for_seeds, with_seed};
+use super::runs::{ask_and_tell, for_seeds, with_learner, with_seed};
 use super::scenario::Scenario;
-use crate::room::VersionSpaceRoom;
+use critreg::learn::VersionSpace;
 use critreg::learn::version_space::{Config, Quality};
-use critreg::learn::{Problem, VersionSpace};
 
 /// Answers after which it is looked at.
 const CALLS: [u32; 6] = [10, 20, 30, 40, 60, 100];
@@ -75,25 +74,20 @@ fn offers(scenario: &Scenario, seed: u64) -> [[Offer; 2]; CALLS.len()] {
 
 /// What a learner that is configured with so many calls offers after each number of them.
 fn course(scenario: &Scenario, truth: &Truth, seed: u64, calls: u32) -> [Offer; CALLS.len()] {
-    let domain = &scenario.domain;
-    let instances = scenario.draw(seed, scenario.instances);
-    let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
-    let mut capacity = scenario.capacity();
-    capacity.observations = calls as usize;
-    let mut room = VersionSpaceRoom::<f64>::new(capacity);
     let config = Config {
         calls,
         ..scenario.config(seed)
     };
-    let mut learner = room.learner(domain, config).expect("enough room");
     let mut offers = [(Quality::None, None); CALLS.len()];
     let seen = |told: u32, learner: &VersionSpace<'_, f64>| {
         if let Some(place) = CALLS.iter().position(|own| *own == told) {
             let region = learner.best_region().ok();
-            let score = region.map(|region| truth.full_score(domain, region));
+            let score = region.map(|region| truth.full_score(&scenario.domain, region));
             offers[place] = (learner.quality(), score);
         }
     };
-    ask_and_tell(&mut learner, scenario, &problem, seed, seen);
+    with_learner(scenario, seed, config, |learner, problem| {
+        ask_and_tell(learner, scenario, problem, seed, seen);
+    });
     offers
 }

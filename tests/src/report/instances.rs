@@ -6,6 +6,7 @@ use super::runs::{for_seeds, is_exact_in};
 use super::scenario::{Scenario, angles, chain, pick};
 use crate::room::VersionSpaceRoom;
 use critreg::Error;
+use critreg::learn::Problem;
 
 /// How many instances are offered.
 const OFFERED: [usize; 6] = [4, 8, 16, 64, 256, 1000];
@@ -47,5 +48,6 @@ fn is_exact(scenario: &Scenario, seed: u64, offered: usize) -> bool {
     let count = learner
         .choose_instances(domain, offered, make, &mut chosen)
         .expect("instances");
-    is_exact_in(learner, scenario, &truth, seed, (&chosen, count))
+    let problem = Problem::new(domain, &chosen, count).expect("valid instances");
+    is_exact_in(&mut learner, scenario, &truth, seed, &problem)
 }

@@ -1,12 +1,11 @@
 //! Several workers at once: what the answers cost that come late.
 
 use super::judge::Truth;
-use super::runs::{Course, for_seeds, with_seed};
+use super::runs::{Course, for_seeds, with_learner, with_seed};
 use super::scenario::{Scenario, chain, pick};
 use super::statistics::{Run, Statistics};
 use super::synthetic;
-use crate::room::VersionSpaceRoom;
-use critreg::learn::{Learner, Problem, Question};
+use critreg::learn::{Learner, Problem, Question, VersionSpace};
 use critreg::random::{generator, uniform_in};
 
 /// Questions that are open at once.
@@ -46,20 +45,26 @@ pub fn print(seeds: usize, first: u64) {
 /// Whenever a worker is idle it gets a question; a trial takes from half to one and a half
 /// times its mean.
 fn run(scenario: &Scenario, seed: u64, workers: usize) -> Timed {
-    let truth = Truth::new(scenario, seed);
-    let instances = scenario.draw(seed, scenario.instances);
-    let domain = &scenario.domain;
-    let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
-    let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
-    let learner = room.learner(domain, scenario.config(seed));
-    let mut learner = learner.expect("enough room");
+    let config = scenario.config(seed);
+    with_learner(scenario, seed, config, |learner, problem| {
+        work(learner, problem, (scenario, seed), workers)
+    })
+}
+
+fn work(
+    learner: &mut VersionSpace<'_, f64>,
+    problem: &Problem<'_>,
+    (scenario, seed): (&Scenario, u64),
+    workers: usize,
+) -> Timed {
+    let (truth, domain) = (Truth::new(scenario, seed), problem.domain());
     let used = domain.parameters().len();
     let mut speed = generator(seed ^ 0x5BEE_D000);
     let (mut course, mut now, mut calls) = (Course::default(), 0.0, 0);
     let mut busy: Vec<(f64, Question)> = Vec::new();
     while !learner.is_finished() {
         while busy.len() < workers
-            && let Some(question) = learner.ask_more(&problem).expect("a question")
+            && let Some(question) = learner.ask_more(problem).expect("a question")
         {
             busy.push((now + uniform_in(&mut speed, 0.5, 1.5), question));
         }
@@ -71,10 +76,10 @@ fn run(scenario: &Scenario, seed: u64, workers: usize) -> Timed {
         let instance = instance.expect("an instance");
         let outcome = scenario.judge(instance, &question.query.theta[..used]);
         learner
-            .tell_id(&problem, question.id, outcome)
+            .tell_id(problem, question.id, outcome)
             .expect("it is open");
         calls += 1;
-        course.note(calls, &learner);
+        course.note(calls, learner);
     }
     Timed {
         run: course.judged(domain, &truth),

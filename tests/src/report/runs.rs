@@ -8,7 +8,8 @@ use crate::room::{Algorithm1Room, VersionSpaceRoom};
 use crate::{pick, text};
 use critreg::Error;
 use critreg::domain::Domain;
-use critreg::learn::{Algorithm1, Config, Learner, Outcome, Problem, Query};
+use critreg::learn::version_space::{Capacity, Config};
+use critreg::learn::{Algorithm1, Learner, Outcome, Problem, Query, VersionSpace};
 use critreg::random::{Generator, generator, uniform, uniform_in};
 use critreg::region::{Region, Theta};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -71,49 +72,54 @@ pub fn run_seed(scenario: &Scenario, seed: u64) -> [Run; 2] {
     })
 }
 
-/// The default learner on one seed of a problem.
-pub(super) fn run_default(scenario: &Scenario, truth: &Truth, seed: u64) -> Run {
+/// What `run` makes of the default learner with a configuration, in the instances of a seed.
+pub(super) fn with_learner<T>(
+    scenario: &Scenario,
+    seed: u64,
+    config: Config,
+    run: impl FnOnce(&mut VersionSpace<'_, f64>, &Problem<'_>) -> T,
+) -> T {
     let instances = scenario.draw(seed, scenario.instances);
     let domain = &scenario.domain;
     let problem = Problem::new(domain, &instances, scenario.instances).expect("valid instances");
-    let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
-    let learner = room.learner(domain, scenario.config(seed));
-    let mut learner = learner.expect("enough room");
-    let run = run(&mut learner, scenario, &problem, truth, seed);
-    Run {
-        quality: learner.quality(),
-        ..run
-    }
+    let mut room = VersionSpaceRoom::<f64>::new(Capacity {
+        observations: config.calls as usize,
+        ..scenario.capacity()
+    });
+    let mut learner = room.learner(domain, config).expect("enough room");
+    run(&mut learner, &problem)
+}
+
+/// The default learner on one seed of a problem.
+pub(super) fn run_default(scenario: &Scenario, truth: &Truth, seed: u64) -> Run {
+    let config = scenario.config(seed);
+    with_learner(scenario, seed, config, |learner, problem| {
+        let run = run(learner, scenario, problem, truth, seed);
+        Run {
+            quality: learner.quality(),
+            ..run
+        }
+    })
 }
 
 /// Whether the region that the default learner ends with is exact.
 pub(super) fn is_exact(scenario: &Scenario, truth: &Truth, seed: u64, config: Config) -> bool {
-    let instances = scenario.draw(seed, scenario.instances);
-    let mut room = VersionSpaceRoom::<f64>::new(scenario.capacity());
-    let learner = room.learner(&scenario.domain, config).expect("enough room");
-    is_exact_in(
-        learner,
-        scenario,
-        truth,
-        seed,
-        (&instances, scenario.instances),
-    )
+    with_learner(scenario, seed, config, |learner, problem| {
+        is_exact_in(learner, scenario, truth, seed, problem)
+    })
 }
 
-/// Whether the region that a learner ends with is exact, if it learns in these instances, so
-/// many.
+/// Whether the region that a learner ends with is exact, if it learns in these instances.
 pub(super) fn is_exact_in<L: Learner>(
-    mut learner: L,
+    learner: &mut L,
     scenario: &Scenario,
     truth: &Truth,
     seed: u64,
-    (instances, count): (&[f64], usize),
+    problem: &Problem<'_>,
 ) -> bool {
-    let domain = &scenario.domain;
-    let problem = Problem::new(domain, instances, count).expect("valid instances");
-    ask_and_tell(&mut learner, scenario, &problem, seed, |_, _| ());
+    ask_and_tell(learner, scenario, problem, seed, |_, _| ());
     let region = learner.region();
-    region.is_ok_and(|region| truth.full_score(domain, region).is_exact())
+    region.is_ok_and(|region| truth.full_score(problem.domain(), region).is_exact())
 }
 
 /// Asks and tells until the learner is finished. `seen` sees it after every call.

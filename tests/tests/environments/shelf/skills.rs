@@ -3,13 +3,13 @@
 use super::{drawn, pick, place, tasks};
 use critreg::env::shelf::{BOX, ROBOT, SHELF, SHELF_DEPTH, Shelf};
 use critreg::learn::version_space::Config as LearnerConfig;
-use critreg::plan::{Conclusion, Config, Metrics, Planner};
+use critreg::plan::{Conclusion, Metrics};
 use critreg::random::generator;
 use critreg::region::Region;
 use critreg::skill::{Context, RegionGuide, RegionSampler, Skill, Skills, Training};
 use critreg::task::{ObjectId, State, Task};
 use critreg_tests::plan::skills::{SkillRoom, TrainingRoom, learn_from};
-use critreg_tests::plan::{Grounding, Room};
+use critreg_tests::plan::{Grounding, Room, plan};
 
 /// The feasible sets in the words of the descriptions: of Pick, Place, and Place later.
 const TRUE_REGIONS: [&str; 3] = [
@@ -81,21 +81,11 @@ fn planned<'m>(
     grounding: &'m Grounding<'m, Shelf>,
     room: &'m mut Room,
 ) -> (Conclusion, Metrics<'m>) {
-    let mut planner = Planner {
-        world: &mut grounding.simulated(),
-        sampler: &mut RegionSampler::new(&Shelf, skills),
-        guide: &mut RegionGuide::new(&Shelf, skills, &task.initial),
-        config: Config::default(),
-    };
-    let numbers = || generator(7);
-    let planned = planner.plan(
-        grounding.task(),
-        &task.initial,
-        numbers(),
-        numbers,
-        room.lend(),
+    let advice = (
+        RegionSampler::new(&Shelf, skills),
+        RegionGuide::new(&Shelf, skills, &task.initial),
     );
-    let planned = planned.unwrap();
+    let planned = plan(grounding, &task.initial, advice, || generator(7), room).unwrap();
     (planned.conclusion, planned.metrics)
 }
 

@@ -16,6 +16,35 @@ pub(super) fn check_draws(grounded: &Grounded<'_, f64>, text: &str, rng: &mut Ge
     }
 }
 
+/// The intervals of a region are those positions at which it is `expected` to hold, of so many on
+/// either side of zero; ends, and positions of which nothing is expected, do not count. Tells how
+/// many are admitted.
+pub(super) fn check_intervals(
+    grounded: &Grounded<'_, f64>,
+    positions: i32,
+    what: &dyn Fn() -> String,
+    expected: &dyn Fn(f64) -> Option<bool>,
+) -> usize {
+    let set = grounded.intervals().unwrap();
+    assert!(set.is_exact(), "{}", what());
+    let ends = || set.intervals().iter().flat_map(|i| [i.low, i.high]);
+    let mut admitted = 0;
+    for step in -positions..=positions {
+        let p = f64::from(step) / f64::from(positions);
+        if ends().any(|end| (p - end).abs() <= 1e-6) {
+            continue;
+        }
+        let Some(expected) = expected(p) else {
+            continue;
+        };
+        let what = || format!("{} at {p}: {:?}", what(), set.intervals());
+        assert_eq!(set.contains(p), expected, "{}", what());
+        assert_eq!(grounded.contains(&[p]).unwrap(), expected, "{}", what());
+        admitted += usize::from(expected);
+    }
+    admitted
+}
+
 /// The bounds of an expression over boxes of parameters are beyond its values in them, and no
 /// farther apart than it is said for the size of a box.
 pub(super) fn check_ranges(

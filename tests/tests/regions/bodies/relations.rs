@@ -1,6 +1,6 @@
 //! Relations read back, are those of plane geometry, and have exact intervals.
 
-use super::check::check_draws;
+use super::check::{check_draws, check_intervals};
 use super::plane::{Rectangle, least};
 use super::table::{FREE, PLACED, RELATIONS, SLIDING, TABLE, Table, domain_text};
 use critreg::domain::Domain;
@@ -153,23 +153,14 @@ fn intervals_of_relations_are_exact() {
             for ((region, text), index) in regions.iter().zip(&texts).zip(0..) {
                 let region = region.as_ref().unwrap();
                 let grounded = region.ground::<f64>(&domain, &numbers).unwrap();
-                let set = grounded.intervals().unwrap();
-                assert!(set.is_exact(), "{text}");
-                let ends = || set.intervals().iter().flat_map(|i| [i.low, i.high]);
-                for step in -1000..=1000 {
-                    let p = f64::from(step) / 1000.0;
-                    if ends().any(|end| (p - end).abs() <= 1e-6) {
-                        continue;
-                    }
+                let bound = if index == 0 { 0.0 } else { 0.05 };
+                let expected = |p: f64| {
                     let turn = table.rail.1 + FRAC_PI_2;
                     let placed = Rectangle::new(table.on_rail(p), turn, PLACED);
-                    let found = value(&placed, &table);
-                    let bound = if index == 0 { 0.0 } else { 0.05 };
-                    let expected = (found >= bound) != (index == 2);
-                    let what = format!("{text} at {p}, {found}: {table:?}, {:?}", set.intervals());
-                    assert_eq!(set.contains(p), expected, "{what}");
-                    assert_eq!(grounded.contains(&[p]).unwrap(), expected, "{what}");
-                }
+                    Some((value(&placed, &table) >= bound) != (index == 2))
+                };
+                let what = || format!("{text}: {table:?}");
+                check_intervals(&grounded, 1000, &what, &expected);
                 check_draws(&grounded, text, &mut rng);
             }
         }

@@ -6,14 +6,14 @@ mod learning;
 mod why;
 
 use critreg::env::stick_button::StickButton;
-use critreg::plan::{Config, Draw, Drawn, Guide, Planned, Planner, Sampler, Simulated};
+use critreg::plan::{Draw, Drawn, Guide, Planned, Sampler, Simulated};
 use critreg::random::{Generator, generator};
 use critreg::region::Region;
 use critreg::skill::{RegionGuide, RegionSampler, Skills, Training};
 use critreg::task::{State, Task};
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::skills::{TrainingRoom, learn};
-use critreg_tests::plan::{Grounding, Room};
+use critreg_tests::plan::{self, Grounding, Room};
 
 /// The regions that are learned in every detail.
 const TRUE_REGIONS: [&str; 4] = [
@@ -54,18 +54,11 @@ fn observe(skills: &mut Skills<'_>) {
 fn plan<'m, S: Sampler<Simulated<'m, StickButton>>, G: Guide>(
     task: &Task,
     grounding: &'m Grounding<'_, StickButton>,
-    (mut sampler, mut guide): (S, G),
+    advice: (S, G),
     room: &'m mut Room,
 ) -> Planned<'m, State> {
-    let mut planner = Planner {
-        world: &mut grounding.simulated(),
-        sampler: &mut sampler,
-        guide: &mut guide,
-        config: Config::default(),
-    };
-    let (abstracted, initial, numbers) = (grounding.task(), &task.initial, || generator(7));
-    let planned = planner.plan(abstracted, initial, numbers(), numbers, room.lend());
-    planned.unwrap()
+    let numbers = || generator(7);
+    plan::plan(grounding, &task.initial, advice, numbers, room).unwrap()
 }
 
 /// The region sampler and the region guide of these skills, for a task.

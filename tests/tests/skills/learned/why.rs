@@ -2,13 +2,13 @@
 
 use super::{NODES, TRUE_REGIONS, guided, know, observe};
 use critreg::env::stick_button::{BUTTON_TYPE, FIRST_BUTTON, PRESSED, ROBOT, STICK, StickButton};
-use critreg::plan::{Conclusion, Config, Planner};
+use critreg::plan::{Conclusion, Config};
 use critreg::random::generator;
 use critreg::skill::{Describe, RegionGuide};
 use critreg::task::{Environment, Task, try_operator};
 use critreg_tests::pick::ENVIRONMENT;
 use critreg_tests::plan::skills::{SkillRoom, tasks};
-use critreg_tests::plan::{Grounding, Room};
+use critreg_tests::plan::{Grounding, Room, plan_as};
 
 /// A task of which the first button is at a place along y, and all are to be pressed.
 fn with_button_at(y: f64) -> Task {
@@ -25,28 +25,19 @@ fn why_there_is_no_plan() {
     know(&mut skills, &TRUE_REGIONS);
     let task = with_button_at(5.97);
     let grounding = Grounding::new(&ENVIRONMENT, &task).unwrap();
-    let (mut sampler, mut guide) = guided(&skills, &task);
+    let (sampler, mut guide) = guided(&skills, &task);
     guide.prune = true;
     let mut room = Room::new(NODES);
-    let mut planner = Planner {
-        world: &mut grounding.simulated(),
-        sampler: &mut sampler,
-        guide: &mut guide,
-        config: Config {
-            max_length: 2,
-            ..Config::default()
-        },
+    let (initial, advice) = (&task.initial, (sampler, guide));
+    let config = Config {
+        max_length: 2,
+        ..Config::default()
     };
     let numbers = || generator(1);
-    let planned = planner.plan(
-        grounding.task(),
-        &task.initial,
-        numbers(),
-        numbers,
-        room.lend(),
-    );
+    let planned = plan_as(config, &grounding, initial, advice, numbers, &mut room);
     let planned = planned.unwrap();
     assert_ne!(planned.conclusion, Conclusion::Solved);
+    let (_, guide) = guided(&skills, &task);
     let explain = |reason| {
         let mut text = String::new();
         guide
