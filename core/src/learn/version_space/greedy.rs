@@ -4,6 +4,9 @@ use super::forms::{DirectedForm, SUM_LEVEL, SampleSet, StepView};
 use super::tuning::Tuning;
 use crate::real::Real;
 
+/// Levels of right sides, sums among them.
+const LEVELS: usize = SUM_LEVEL as usize + 1;
+
 /// By how much chance and complexity change what the greedy choice counts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Randomisation {
@@ -33,7 +36,8 @@ impl Randomisation {
         }
     }
 
-    /// By which share a count is discounted for the level of a right side.
+    /// By which share a count is discounted for the level of a right side: less than all of it,
+    /// however much discounts count.
     pub(super) fn discount(&self, level: u8, tuning: &Tuning) -> f64 {
         let discount = match level {
             0 => 0.0,
@@ -42,7 +46,7 @@ impl Randomisation {
             SUM_LEVEL => tuning.discount_sum,
             _ => tuning.discount_scaled,
         };
-        self.complexity_weight * discount
+        1.0 - libm::pow(1.0 - discount, self.complexity_weight)
     }
 }
 
@@ -55,11 +59,13 @@ pub(super) fn best_form<R: Real>(
     salt: u32,
 ) -> Option<DirectedForm> {
     let tuning = view.forms.tuning();
+    let left: [f64; LEVELS] =
+        core::array::from_fn(|level| 1.0 - randomisation.discount(level as u8, tuning));
     let mut best: Option<DirectedForm> = None;
     let (mut most, mut closest) = (0.0, R::INFINITY);
     view.for_each_count(open, &mut |form, count| {
-        let discount = randomisation.discount(form.level, tuning);
-        let mut score = f64::from(count) * (1.0 - discount);
+        let left = left.get(usize::from(form.level)).copied();
+        let mut score = f64::from(count) * left.unwrap_or(0.0);
         if randomisation.noise > 0.0 {
             score *= 1.0 + randomisation.noise * scatter(salt, &form);
         }

@@ -84,7 +84,9 @@ impl<R: Real> VersionSpace<'_, R> {
                     (all, hypothesis.rival) = (false, false);
                     continue;
                 }
-                hypothesis.rival = hypothesis.length(&self.forms) <= longest;
+                // Not all sums that it takes may be known, or there are too many clauses.
+                let short = hypothesis.length(&self.forms) <= longest;
+                hypothesis.rival = hypothesis.consistent && short;
             }
         }
         all
