@@ -5,7 +5,7 @@ use super::ground::Grounded;
 use super::interval::IntervalSet;
 use super::lifted::Region;
 use super::parameters::{ParameterSet, Theta, Vector};
-use super::sample::{is_proven_empty, sample};
+use super::sample::{BOXES, is_proven_empty, sample};
 use crate::domain::{Domain, Parameter};
 use crate::error::Error;
 use crate::real::Real;
@@ -104,7 +104,7 @@ impl<'p, R: Real> Intersection<'p, R> {
     /// [`Error::EmptyRegion`] if it is proven that there are none,
     /// [`Error::NoSample`] if none were found.
     pub fn sample(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Theta, Error> {
-        sample(self, R::ZERO, rng)
+        sample(self, (R::ZERO, BOXES), rng)
     }
 
     /// As [`Intersection::sample`], but away from the boundary, where an action may
@@ -122,7 +122,7 @@ impl<'p, R: Real> Intersection<'p, R> {
         if !(0.0..=0.5).contains(&margin) {
             return Err(Error::InvalidArgument("a margin is in [0, 0.5]"));
         }
-        sample(self, R::from_f64(margin), rng)
+        sample(self, (R::from_f64(margin), BOXES), rng)
     }
 
     /// Whether it is proven that no parameters are admitted; see

@@ -14,7 +14,9 @@ use rand_core::Rng;
 /// How many draws are tried from the whole box, and from one line.
 const REJECTIONS: usize = 32;
 /// How many small boxes are searched for a first admitted point.
-const BOXES: usize = 64;
+pub(super) const BOXES: usize = 64;
+/// The same where another instance will do as well: what works may be no more than a point.
+const FEW_BOXES: usize = 4;
 /// How many lines are laid through each of them.
 const LINES: usize = 8;
 /// How many steps of hit-and-run follow a first admitted point, per parameter.
@@ -51,8 +53,22 @@ impl Region {
         grounded.sample(rng)
     }
 
+    /// As [`Region::sample`], but soon gives up with [`Error::NoSample`] where the region is so
+    /// small that no draw is found: for those who have other instances.
+    pub(crate) fn sample_soon<R: Real>(
+        &self,
+        domain: &Domain<'_>,
+        instance: &[f64],
+        rng: &mut Generator,
+    ) -> Result<Theta, Error> {
+        let mut grounded = Grounded::<R>::blank(self, domain, instance);
+        grounded.compute()?;
+        sample(&grounded, (R::ZERO, FEW_BOXES), rng)
+    }
+
     /// Visits so many draws in one instance, fewer if there is none. Where the region is small
-    /// they are places of one walk, which is how they are found at the price of a few.
+    /// they are places of one walk, which is how they are found at the price of a few; as
+    /// [`Region::sample_soon`] it soon gives up.
     ///
     /// # Errors
     /// Those of [`Region::ground`].
@@ -91,7 +107,7 @@ impl<R: Real> Grounded<'_, R> {
     /// postpone the plan skeleton, or fall back on another sampler. [`Error::NoSample`]
     /// if none were found but emptiness could not be proven.
     pub fn sample(&self, rng: &mut (impl Rng + ?Sized)) -> Result<Theta, Error> {
-        sample(self, R::ZERO, rng)
+        sample(self, (R::ZERO, BOXES), rng)
     }
 
     /// Whether it is proven that no parameters are admitted. With one parameter
@@ -106,17 +122,18 @@ impl<R: Real> Grounded<'_, R> {
 }
 
 /// Draws parameters of a set; see [`Grounded::sample`]. The share `margin` at both
-/// ends of each interval along a line is left out.
+/// ends of each interval along a line is left out; where what is admitted is small it is looked
+/// for in so many boxes.
 pub(super) fn sample<R: Real>(
     set: &impl ParameterSet<R>,
-    margin: R,
+    (margin, boxes): (R, usize),
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Theta, Error> {
     let found = match set.count() {
         0 | 1 if is_proven_empty(set)? => return Err(Error::EmptyRegion),
         0 => [R::ZERO; MAX_PARAMETERS],
         1 => draw_from(set, set.set(), single, margin, rng)?.ok_or(Error::NoSample)?,
-        _ => sample_several(set, margin, rng)?.ok_or(Error::NoSample)?,
+        _ => sample_several(set, (margin, boxes), rng)?.ok_or(Error::NoSample)?,
     };
     Ok(in_range(set, &found))
 }
@@ -129,13 +146,13 @@ fn draw_after<R: Real>(
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Theta, Error> {
     if set.count() < 2 {
-        return sample(set, R::ZERO, rng);
+        return sample(set, (R::ZERO, FEW_BOXES), rng);
     }
     let next = match at {
         Some(at) => step(set, at, R::ZERO, rng)?.unwrap_or(*at),
         None => match draw_from_box(set, rng)? {
             Some(theta) => return Ok(in_range(set, &theta)),
-            None => begin_walk(set, R::ZERO, rng)?.ok_or(Error::NoSample)?,
+            None => begin_walk(set, (R::ZERO, FEW_BOXES), rng)?.ok_or(Error::NoSample)?,
         },
     };
     *at = Some(next);
@@ -197,7 +214,7 @@ fn draw_from<R: Real>(
 #[inline(never)]
 fn sample_several<R: Real>(
     parameters: &impl ParameterSet<R>,
-    margin: R,
+    (margin, boxes): (R, usize),
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Option<Vector<R>>, Error> {
     if let Some(theta) = draw_from_box(parameters, rng)? {
@@ -207,7 +224,7 @@ fn sample_several<R: Real>(
         };
         return Ok(inner.or(Some(theta)));
     }
-    let Some(mut theta) = begin_walk(parameters, margin, rng)? else {
+    let Some(mut theta) = begin_walk(parameters, (margin, boxes), rng)? else {
         return Ok(None);
     };
     for _ in 0..STEPS_PER_PARAMETER * parameters.count() {
@@ -236,11 +253,11 @@ fn draw_from_box<R: Real>(
 #[inline(never)]
 fn begin_walk<R: Real>(
     parameters: &impl ParameterSet<R>,
-    margin: R,
+    (margin, boxes): (R, usize),
     rng: &mut (impl Rng + ?Sized),
 ) -> Result<Option<Vector<R>>, Error> {
     let mut search = BoxSearch::new(rng.next_u32());
-    for _ in 0..BOXES {
+    for _ in 0..boxes {
         let Some((low, high)) = search.next(parameters)? else {
             break;
         };

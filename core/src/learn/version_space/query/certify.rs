@@ -78,7 +78,7 @@ impl<R: Real> VersionSpace<'_, R> {
             }
             let values = problem.instance(instance)?;
             let region = &self.region;
-            match region.sample::<R>(problem.domain(), values, &mut self.rng) {
+            match region.sample_soon::<R>(problem.domain(), values, &mut self.rng) {
                 Ok(theta) => {
                     *query = Query { instance, theta };
                     return Ok(true);
