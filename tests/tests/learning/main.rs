@@ -2,6 +2,7 @@
 
 mod actions;
 mod bodies;
+mod cases;
 mod challenge;
 mod choosing;
 mod damage;

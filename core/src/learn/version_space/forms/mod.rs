@@ -17,6 +17,7 @@ mod interval;
 mod layout;
 mod left;
 mod length;
+mod offers;
 mod right;
 mod sample;
 mod sample_set;
@@ -52,6 +53,7 @@ use core::cell::Cell;
 use core::mem::take;
 use exclusions::Exclusions;
 use layout::Layout;
+use offers::BestSums;
 use sums::Sums;
 use values::{Column, Values};
 
@@ -137,7 +139,7 @@ impl<'m, R: Real> Forms<'m, R> {
                 values: take(&mut memory.sum_values),
                 instances: capacity.instances,
                 first: capacity.forms,
-                best: Default::default(),
+                best: BestSums::default(),
             },
             ends: take(&mut memory.ends),
             failures: take(&mut memory.failures),

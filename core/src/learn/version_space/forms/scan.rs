@@ -12,7 +12,8 @@ use core::ops::Range;
 const TOGETHER: usize = 16;
 
 impl<R: Real> Forms<'_, R> {
-    /// Calls `visit` with every form up to a level, from both directions.
+    /// Calls `visit` with every form up to a level, from both directions. A left side alone is
+    /// of the lowest one.
     pub(in super::super) fn for_each(&self, level: u8, mut visit: impl FnMut(DirectedForm)) {
         for run in self.layout.runs() {
             if run.level > usize::from(level) {
@@ -23,11 +24,10 @@ impl<R: Real> Forms<'_, R> {
                 visit(form.reversed());
             }
         }
-        if level >= SUM_LEVEL {
-            for form in self.sums.directed(true) {
-                visit(form);
-                visit(form.reversed());
-            }
+        let sums = self.sums.directed(true);
+        for form in sums.filter(|form| level >= SUM_LEVEL || self.is_left_side(form)) {
+            visit(form);
+            visit(form.reversed());
         }
     }
 

@@ -6,18 +6,17 @@
 //! infeasible samples, and nothing is stored for it.
 
 use super::Forms;
-use super::columns::{Columns, Effort, PARTS, Visit};
+use super::columns::{Columns, Effort, PARTS};
 use super::interval::excludes;
 use super::left::{Left, Tier};
-use super::sums::{OF_EACH, RightSide, Sum, TERMS, Term};
-use crate::domain::Domain;
+use super::offers::{BestSums, Offers};
+use super::sums::{RightSide, Sum, TERMS, Term};
+use crate::domain::{Domain, Node, Quantity};
 use crate::real::Real;
-use crate::table::{Blank, move_last};
-use heapless::Vec;
+use crate::table::Blank;
 
-/// How many looks at forms that are tracked take as long as one at the right side of a sum in
-/// an instance, and at what fails there.
-const RIGHT_SIDE: usize = 3;
+/// One of so many slots at most holds an attribute of the scene alone.
+const CASES: usize = 8;
 
 /// What the samples of an instance say about a left side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +67,39 @@ impl<R: Real> Forms<'_, R> {
             sum.used = used((first + slot) as u32);
             sum.kept &= sum.used || !anew;
         }
+        self.keep_cases();
         !self.sums.slots.is_empty() && self.sort_failures(step)
+    }
+
+    /// Keeps attributes of the scene alone, in some of the slots. As long as something works in
+    /// each instance nothing is excluded by them, but by what holds in one case of them only:
+    /// beside another bound, of which one must hold.
+    fn keep_cases(&mut self) {
+        let room = self.sums.slots.len() / CASES;
+        for lhs in 0..self.lefts.len() {
+            let Some(left) = self.left(lhs).filter(|left| left.tier == Tier::Scene) else {
+                continue;
+            };
+            let node = self.features.nodes().get(usize::from(left.feature));
+            let Some(Node::Quantity(Quantity::Attribute(_))) = node else {
+                continue;
+            };
+            let case = Sum {
+                used: true,
+                ..Sum::alone(lhs as u8, self.left_length(lhs, left, true))
+            };
+            let slots = self.sums.slots.iter_mut();
+            let same = |own: &&mut Sum| own.kept && own.is_same(&case);
+            if let Some(own) = slots.into_iter().find(same) {
+                own.used = true;
+                continue;
+            }
+            let mut slots = self.sums.slots.iter_mut().take(room);
+            if let Some(own) = slots.find(|own| !own.used) {
+                *own = case;
+            }
+        }
+        self.evaluate_new_sums();
     }
 
     /// Looks for sums from a place on, until so much work was done, and keeps the best. A place
@@ -108,11 +139,9 @@ impl<R: Real> Forms<'_, R> {
             && self.view_left(step, lhs, upper)
         {
             let mut offers = Offers::new(self, &left, (lhs, upper), best);
-            // Where nothing fails beyond what works there is nothing to look for.
-            let parts = if offers.most > 0.0 {
-                first..PARTS
-            } else {
-                0..0
+            let parts = match offers.is_void() {
+                true => 0..0,
+                false => first..PARTS,
             };
             for part in parts {
                 if part > first && self.work() >= most {
@@ -176,7 +205,7 @@ impl<R: Real> Forms<'_, R> {
 
     /// How many infeasible samples a right side can exclude at most: those that lie farther
     /// out than what works in their instance, whatever is subtracted there.
-    fn most_excluded(&self) -> usize {
+    pub(super) fn most_excluded(&self) -> usize {
         let own = |end: &End<R>| {
             let beyond = |failure: &&Failure<R>| failure.value > end.feasible;
             self.failures_of(end).iter().take_while(beyond).count()
@@ -193,7 +222,7 @@ impl<R: Real> Forms<'_, R> {
     }
 
     /// What it takes to name a left side and a direction, in bits.
-    fn left_length(&self, lhs: usize, left: &Left, upper: bool) -> f32 {
+    pub(super) fn left_length(&self, lhs: usize, left: &Left, upper: bool) -> f32 {
         let tuning = self.tuning;
         let alike = self.lefts.as_slice().iter();
         let alike = alike.filter(|other| other.tier == left.tier).count();
@@ -211,7 +240,7 @@ impl<R: Real> Forms<'_, R> {
 
     /// How many infeasible samples a form excludes.
     #[inline(always)]
-    fn count_excluded(&self, terms: &[Term; TERMS], upper: bool) -> u32 {
+    pub(super) fn count_excluded(&self, terms: &[Term; TERMS], upper: bool) -> u32 {
         let right_side = RightSide::of(terms, upper);
         let rows = self.values.rhs.chunks_exact(self.values.rhs_count.max(1));
         let instances = || self.ends.iter().zip(rows.clone());
@@ -239,14 +268,14 @@ impl<R: Real> Forms<'_, R> {
     }
 
     /// Keeps sums in slots that are free or hold something worth less.
-    fn keep(&mut self, best: &[Sum]) {
+    fn keep(&mut self, best: &BestSums) {
         for (rank, sum) in best.iter().enumerate() {
             // The best one of each left side comes before the second of any.
             let sum = Sum {
                 worth: sum.worth - 1e3 * rank as f32,
                 ..*sum
             };
-            let same = |own: &Sum| own.kept && own.lhs == sum.lhs && own.terms == sum.terms;
+            let same = |own: &Sum| own.kept && own.is_same(&sum);
             if let Some(own) = self.sums.slots.iter_mut().find(|own| same(own)) {
                 own.worth = own.worth.max(sum.worth);
                 continue;
@@ -269,77 +298,6 @@ impl<R: Real> Forms<'_, R> {
     }
 }
 
-/// The best sums so far of a left side from one direction, at which the ends and failures look.
-struct Offers<'f, 'm, R> {
-    forms: &'f Forms<'m, R>,
-    lhs: u8,
-    upper: bool,
-    /// What it takes to name the left side and the direction, in bits.
-    base: f32,
-    /// How many infeasible samples can be excluded at most.
-    most: f32,
-    /// How long a sum may be to be among the best.
-    longest: f32,
-    best: Vec<Sum, OF_EACH>,
-}
-
-impl<'f, 'm, R: Real> Offers<'f, 'm, R> {
-    fn new(
-        forms: &'f Forms<'m, R>,
-        left: &Left,
-        (lhs, upper): (usize, bool),
-        best: Vec<Sum, OF_EACH>,
-    ) -> Self {
-        let mut offers = Offers {
-            forms,
-            lhs: lhs as u8,
-            upper,
-            base: forms.left_length(lhs, left, upper),
-            most: forms.most_excluded() as f32,
-            longest: 0.0,
-            best,
-        };
-        offers.limit();
-        offers
-    }
-
-    /// A longer one would not be among the best if it excluded all that any can.
-    fn limit(&mut self) {
-        self.longest = match self.best.last().filter(|_| self.best.is_full()) {
-            Some(least) => self.most / least.worth,
-            None => f32::INFINITY,
-        };
-    }
-}
-
-impl<R: Real> Visit for Offers<'_, '_, R> {
-    fn longest(&self) -> f32 {
-        self.longest - self.base
-    }
-
-    fn visit(&mut self, terms: [Term; TERMS], length: f32) {
-        let length = self.base + length;
-        if length >= self.longest {
-            return;
-        }
-        self.forms.add_work(RIGHT_SIDE * self.forms.ends.len());
-        let count = self.forms.count_excluded(&terms, self.upper);
-        if count > 0 {
-            let sum = Sum {
-                terms,
-                length,
-                worth: count as f32 / length,
-                lhs: self.lhs,
-                kept: true,
-                used: false,
-                new: true,
-            };
-            insert(&mut self.best, sum);
-            self.limit();
-        }
-    }
-}
-
 /// Sorts the few samples of an instance by insertion; what is no number stands last.
 fn sort_outermost_first<R: Real>(failures: &mut [Failure<R>]) {
     for end in 1..=failures.len() {
@@ -357,20 +315,5 @@ fn sort_outermost_first<R: Real>(failures: &mut [Failure<R>]) {
             core::mem::swap(other, last);
             last = other;
         }
-    }
-}
-
-/// Inserts a sum before those that are worth less.
-fn insert(best: &mut Vec<Sum, OF_EACH>, sum: Sum) {
-    let place = best.iter().position(|other| sum.worth > other.worth);
-    let place = place.unwrap_or(best.len());
-    if best.is_full() {
-        if place == best.len() {
-            return;
-        }
-        best.pop();
-    }
-    if best.push(sum).is_ok() {
-        move_last(best, place);
     }
 }

@@ -5,17 +5,15 @@
 //! and keeps those that explain most for their length, in a small table. From then on they
 //! are forms like all others.
 
+use super::offers::BestSums;
 use super::{DirectedForm, Forms, NOTHING, Values};
 use crate::domain::{Node, NodeId, TermError, copy, intern};
 use crate::real::Real;
 use crate::table::Blank;
-use heapless::{Vec, VecView};
+use heapless::VecView;
 
 /// Most terms on the right: a place and two sizes.
 pub(super) const TERMS: usize = 3;
-
-/// Sums that are offered of each left side and direction.
-pub(super) const OF_EACH: usize = 6;
 
 /// A level of right sides behind all others.
 pub(in super::super) const SUM_LEVEL: u8 = super::LEVELS as u8;
@@ -60,6 +58,24 @@ pub struct Sum {
     pub(super) new: bool,
 }
 
+impl Sum {
+    /// The left side alone.
+    pub(super) fn alone(lhs: u8, length: f32) -> Sum {
+        Sum {
+            lhs,
+            length,
+            kept: true,
+            new: true,
+            ..Sum::BLANK
+        }
+    }
+
+    /// Whether it says the same as another.
+    pub(super) fn is_same(&self, other: &Sum) -> bool {
+        self.lhs == other.lhs && self.terms == other.terms
+    }
+}
+
 impl Blank for Sum {
     const BLANK: Self = Sum {
         terms: [Term::NONE; TERMS],
@@ -82,7 +98,7 @@ pub(super) struct Sums<'m, R> {
     /// Forms of all slots stand behind so many others.
     pub(super) first: usize,
     /// The best ones of the side that is searched.
-    pub(super) best: Vec<Sum, OF_EACH>,
+    pub(super) best: BestSums,
 }
 
 impl<R: Real> Sums<'_, R> {
