@@ -29,7 +29,7 @@ pub(super) const MAX_STEPS: usize = 4;
 /// | `features`, `rhs_features` | 18 per 8 forms, and 64 more |
 /// | `rhs_values` | 1 per form and instance, and 512 per instance |
 /// | `lhs_values`, `lhs`, `lefts` | [`Capacity::lhs`] times 8 per observation, and twice more |
-/// | `sums`, `sum_values` | 24 per sum, and 8 per sum and instance |
+/// | `sums`, `sum_values` | 28 per sum, and 8 per sum and instance |
 /// | `ends`, `failures` | 16 per instance and per observation |
 /// | `hypotheses`, `approximations` | 5328 per step, and 592 |
 /// | `sample_sets` | 16 per step and 64 observations |

@@ -16,12 +16,18 @@ const MAX_BASES: usize = 12;
 /// it alone, then those where another one follows it.
 pub(super) const PARTS: usize = 2 * MAX_COLUMNS;
 
+/// Most sizes in a right side.
+const SIZES: usize = 3;
+/// Sums of three are only looked for among so many attributes at most.
+const MOST_OF_THREE: usize = 8;
+
 /// How far the search goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(in super::super) enum Effort {
     /// Two terms with simple factors.
     Simple,
-    /// Two terms with all factors of the grammar, or one with any factor in hundredths.
+    /// Two terms with all factors of the grammar, one with any factor in hundredths, or three
+    /// with simple ones.
     Thorough,
 }
 
@@ -147,12 +153,15 @@ impl Columns {
         self.for_each_base(left.kind, &mut |base, length| {
             // Without terms, or with a place alone, plain left sides are forms already.
             if part == 0 && (left.tier != Tier::Plain || base[1].is_some()) {
-                visit.visit(begin(base, [Term::NONE; 2]), length);
+                visit.visit(begin(base, [Term::NONE; SIZES]), length);
             }
             match (&sizes, part.checked_sub(MAX_COLUMNS)) {
                 (Some(sizes), None) => sizes.add_one(effort, part, base, length, visit),
                 (Some(sizes), Some(first)) if !base[1].is_some() => {
                     sizes.add_two((left.tier, effort), first, base[0], length, visit);
+                    if left.tier == Tier::Plain && effort == Effort::Thorough {
+                        sizes.add_three(first, base[0], length, visit);
+                    }
                 }
                 _ => {}
             }
@@ -251,7 +260,8 @@ impl Sizes<'_> {
         };
         self.for_each_term(factors, column, &mut |term, cost| {
             if length + cost < visit.longest() {
-                visit.visit(begin([base, second], [term, Term::NONE]), length + cost);
+                let sizes = [term, Term::NONE, Term::NONE];
+                visit.visit(begin([base, second], sizes), length + cost);
             }
         });
     }
@@ -266,9 +276,11 @@ impl Sizes<'_> {
         visit: &mut dyn Visit,
     ) {
         let factors = match (tier, effort) {
-            (Tier::Plain, Effort::Simple) | (Tier::Derived, Effort::Thorough) => Factors::Simple,
+            (Tier::Plain, Effort::Simple) | (Tier::Derived | Tier::Scene, Effort::Thorough) => {
+                Factors::Simple
+            }
             (Tier::Plain, Effort::Thorough) => Factors::Grammar,
-            (Tier::Scene, _) | (Tier::Derived, Effort::Simple) => return,
+            (Tier::Scene | Tier::Derived, Effort::Simple) => return,
         };
         let is_relation = |place: usize| self.columns.get(place).is_some_and(|c| c.relation);
         self.for_each_term(factors, column, &mut |first, cost| {
@@ -283,7 +295,42 @@ impl Sizes<'_> {
                 }
                 self.for_each_term(factors, other, &mut |rest, more| {
                     if length + more < visit.longest() {
-                        visit.visit(begin([base, Term::NONE], [first, rest]), length + more);
+                        let sizes = [first, rest, Term::NONE];
+                        visit.visit(begin([base, Term::NONE], sizes), length + more);
+                    }
+                });
+            }
+        });
+    }
+
+    /// Visits what begins like this and goes on with an attribute and two behind it, if there
+    /// are not many.
+    fn add_three(&self, column: usize, base: Term, length: f32, visit: &mut dyn Visit) {
+        let own = |column: &&Column| column.kind == Kind::Size(self.dimension) && !column.relation;
+        let attributes = self.columns.iter().filter(own).count();
+        let is_attribute = |place: &usize| self.columns.get(*place).as_ref().is_some_and(own);
+        if attributes > MOST_OF_THREE || !is_attribute(&column) {
+            return;
+        }
+        let behind = |place: usize| (place + 1..self.columns.len()).filter(is_attribute);
+        self.for_each_term(Factors::Simple, column, &mut |first, cost| {
+            let length = length + cost;
+            for second in behind(column) {
+                if length + 2.0 * SHORTEST_TERM >= visit.longest() {
+                    return;
+                }
+                self.for_each_term(Factors::Simple, second, &mut |second_term, cost| {
+                    let length = length + cost;
+                    for third in behind(second) {
+                        if length + SHORTEST_TERM >= visit.longest() {
+                            return;
+                        }
+                        self.for_each_term(Factors::Simple, third, &mut |third, cost| {
+                            if length + cost < visit.longest() {
+                                let sizes = [first, second_term, third];
+                                visit.visit(begin([base, Term::NONE], sizes), length + cost);
+                            }
+                        });
                     }
                 });
             }
@@ -329,12 +376,13 @@ impl Sizes<'_> {
     }
 }
 
-/// A right side: what it begins with, then sizes; there is room, because two places are followed
-/// by one size.
-fn begin([base, second]: [Term; 2], [first, rest]: [Term; 2]) -> [Term; TERMS] {
-    match (base.is_some(), second.is_some()) {
-        (false, _) => [first, rest, Term::NONE],
-        (true, false) => [base, first, rest],
-        (true, true) => [base, second, first],
+/// A right side: what it begins with, then sizes.
+fn begin(base: [Term; 2], sizes: [Term; SIZES]) -> [Term; TERMS] {
+    let mut all = [Term::NONE; TERMS];
+    let terms = base.into_iter().chain(sizes).filter(Term::is_some);
+    // There is room: two places are followed by one size.
+    for (slot, term) in all.iter_mut().zip(terms) {
+        *slot = term;
     }
+    all
 }

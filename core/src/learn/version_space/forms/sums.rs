@@ -12,8 +12,8 @@ use crate::real::Real;
 use crate::table::Blank;
 use heapless::VecView;
 
-/// Most terms on the right: a place and two sizes.
-pub(super) const TERMS: usize = 3;
+/// Most terms on the right: a place and three sizes.
+pub(super) const TERMS: usize = 4;
 
 /// A level of right sides behind all others.
 pub(in super::super) const SUM_LEVEL: u8 = super::LEVELS as u8;
