@@ -120,6 +120,17 @@ impl<R: Real> Hypothesis<R> {
         goes_on
     }
 
+    /// Takes away what follows the first `simple` clauses and a disjunction if that does not
+    /// exclude everything: another disjunction is to come there.
+    pub(super) fn takes_another_disjunction(&mut self, simple: usize) -> bool {
+        let found = self.clauses.get(simple).is_some_and(|own| own.or.is_some());
+        let another = found && !self.consistent && simple + 2 < MAX_CLAUSES;
+        if another {
+            self.clauses.truncate(simple + 1);
+        }
+        another
+    }
+
     /// As [`Hypothesis::cover`], behind the windows of a single form.
     #[inline(never)]
     pub(super) fn cover_with_windows(&mut self, view: &StepView<'_, '_, R>, rng: &mut Generator) {

@@ -239,7 +239,12 @@ impl<R: Real> VersionSpace<'_, R> {
             } => {
                 let (own, rng) = ((*simple, *place), &mut self.rng);
                 *place += 1;
-                if !self.draft.try_disjunction(&view, own, worth, rng) {
+                if self.draft.try_disjunction(&view, own, worth, rng) {
+                    return;
+                }
+                if self.draft.takes_another_disjunction(*simple) {
+                    (*simple, *place, *worth) = (*simple + 1, 0, 0.0);
+                } else {
                     self.improve_draft();
                 }
             }
