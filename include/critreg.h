@@ -46,10 +46,10 @@
  * machine with pointers of 64 bits (critreg_learner_size() tells for any other):
  *
  *     forms       observations   CRITREG_VERSION_SPACE    CRITREG_ALGORITHM1
- *           1024           128            186928 bytes           35736 bytes
- *           4096           256            733008 bytes           47512 bytes
- *          10000           256           1443128 bytes           56352 bytes
- *          20000           256           2425624 bytes           71352 bytes
+ *           1024           128            187240 bytes           35736 bytes
+ *           4096           256            734088 bytes           47512 bytes
+ *          10000           256           1445232 bytes           56352 bytes
+ *          20000           256           2427728 bytes           71352 bytes
  *
  * Every further instance takes 1.5 * forms + 1400 bytes more at most, every further step
  * 16 * forms + 5888. On a small machine critreg_config.precision, critreg_config.tracked
