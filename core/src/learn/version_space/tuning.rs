@@ -218,7 +218,7 @@ tuning! {
     narrowing: f64 = 0.3,
     /// Share of the questions that look for a bound that fits by chance, where the committee is of
     /// one mind and all gaps are narrow; the others explore.
-    probing: f64 = 0.75,
+    probing: f64 = 0.5,
     /// How far inside or outside of a bound a probe lies, and how close to it another sample
     /// must be to make it superfluous, as a share of a narrow gap.
     probe: f64 = 0.5,
