@@ -120,6 +120,11 @@ impl<R: Real> Hypothesis<R> {
         goes_on
     }
 
+    /// How many of its clauses are disjunctions.
+    pub(super) fn disjunctions(&self) -> usize {
+        self.clauses.iter().filter(|own| own.or.is_some()).count()
+    }
+
     /// Takes away what follows the first `simple` clauses and a disjunction if that does not
     /// exclude everything: another disjunction is to come there.
     pub(super) fn takes_another_disjunction(&mut self, simple: usize) -> bool {

@@ -397,12 +397,10 @@ fn take_better<R: Real>(
         // It is the best hypothesis, improved.
         0 => draft.consistent || !best.consistent,
         _ => {
-            let (candidates, disjunctions) = candidates(view);
             let rating = objective.rate(draft, view);
-            // With windows enough anything can be explained.
-            let windows = place == 1 + candidates + disjunctions;
-            let fits = !windows || rating.1 < entropy(view);
-            fits && rating < objective.rate(best, view)
+            // With disjunctions enough anything can be explained.
+            let few = draft.disjunctions() < 2 || rating.1 < entropy(view);
+            few && rating < objective.rate(best, view)
         }
     };
     if better {
