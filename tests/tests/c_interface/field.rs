@@ -77,11 +77,12 @@ class Refused:
 
 class Coin(Refused):
     name, text, steps = "coin", "object a { x: length }\nparameter p in [0, 1]\n", 2
+    calls = 60
     def instance(self, rng): return [rng.random()]
     def fails(self, i, t): return int(t[0] * 1e4) % 3
 
 class Below(Coin):
-    name, goal, steps = "below", "useful", 1
+    name, goal, steps, calls = "below", "useful", 1, 20
     def aligned(self, rng): return [0.5]
     def works(self, i, t): return t[0] <= 0.5
 
