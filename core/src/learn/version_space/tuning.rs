@@ -118,8 +118,8 @@ tuning! {
     strays: f64 = 0.05,
     /// Up to which share of what an exact region admits may fail.
     admitted: f64 = 0.01,
-    /// Bits for an answer that a region is wrong about where none explains all: the log odds
-    /// of 2% wrong answers.
+    /// Bits for an answer that a region is wrong about where none explains all, or that a sum does
+    /// not exclude: the log odds of 2% wrong answers.
     wrong: f64 = 6.0,
     /// How much a sample that was asked about for a reason counts for how good such a region
     /// is, compared to one drawn at random: reasons are near boundaries.

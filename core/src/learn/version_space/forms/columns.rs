@@ -235,6 +235,15 @@ enum Factors {
     Any,
 }
 
+/// Which sums of sizes are visited: what they begin with, with which factors, of how many sizes,
+/// and which column goes with one before it.
+struct Walk<'w> {
+    base: Term,
+    factors: Factors,
+    sizes: usize,
+    goes_with: &'w dyn Fn(usize, usize) -> bool,
+}
+
 /// The sizes of one dimension.
 struct Sizes<'c> {
     columns: &'c [Column],
@@ -282,25 +291,15 @@ impl Sizes<'_> {
             (Tier::Plain, Effort::Thorough) => Factors::Grammar,
             (Tier::Scene | Tier::Derived, Effort::Simple) => return,
         };
-        let is_relation = |place: usize| self.columns.get(place).is_some_and(|c| c.relation);
-        self.for_each_term(factors, column, &mut |first, cost| {
-            let length = length + cost;
-            if length + SHORTEST_TERM >= visit.longest() {
-                return;
-            }
-            for other in column + 1..self.columns.len() {
-                // Sums of two distances say little.
-                if is_relation(column) && is_relation(other) {
-                    continue;
-                }
-                self.for_each_term(factors, other, &mut |rest, more| {
-                    if length + more < visit.longest() {
-                        let sizes = [first, rest, Term::NONE];
-                        visit.visit(begin([base, Term::NONE], sizes), length + more);
-                    }
-                });
-            }
-        });
+        // Sums of two distances say little.
+        let goes_with = |a: usize, b: usize| !(self.is_relation(a) && self.is_relation(b));
+        let walk = Walk {
+            base,
+            factors,
+            sizes: 2,
+            goes_with: &goes_with,
+        };
+        self.add_sizes(&walk, ([Term::NONE; SIZES], 0), column, length, visit);
     }
 
     /// Visits what begins like this and goes on with an attribute and two behind it, if there
@@ -308,31 +307,51 @@ impl Sizes<'_> {
     fn add_three(&self, column: usize, base: Term, length: f32, visit: &mut dyn Visit) {
         let own = |column: &&Column| column.kind == Kind::Size(self.dimension) && !column.relation;
         let attributes = self.columns.iter().filter(own).count();
-        let is_attribute = |place: &usize| self.columns.get(*place).as_ref().is_some_and(own);
-        if attributes > MOST_OF_THREE || !is_attribute(&column) {
+        if attributes > MOST_OF_THREE || self.is_relation(column) {
             return;
         }
-        let behind = |place: usize| (place + 1..self.columns.len()).filter(is_attribute);
-        self.for_each_term(Factors::Simple, column, &mut |first, cost| {
+        let goes_with = |_: usize, other: usize| !self.is_relation(other);
+        let walk = Walk {
+            base,
+            factors: Factors::Simple,
+            sizes: SIZES,
+            goes_with: &goes_with,
+        };
+        self.add_sizes(&walk, ([Term::NONE; SIZES], 0), column, length, visit);
+    }
+
+    fn is_relation(&self, place: usize) -> bool {
+        self.columns
+            .get(place)
+            .is_some_and(|column| column.relation)
+    }
+
+    /// Visits what goes on with a column, behind so many sizes, until there are as many as wanted.
+    fn add_sizes(
+        &self,
+        walk: &Walk<'_>,
+        (known, count): ([Term; SIZES], usize),
+        column: usize,
+        length: f32,
+        visit: &mut dyn Visit,
+    ) {
+        let missing = walk.sizes - count - 1;
+        self.for_each_term(walk.factors, column, &mut |term, cost| {
             let length = length + cost;
-            for second in behind(column) {
-                if length + 2.0 * SHORTEST_TERM >= visit.longest() {
-                    return;
+            if length + SHORTEST_TERM * missing as f32 >= visit.longest() {
+                return;
+            }
+            let mut sizes = known;
+            if let Some(slot) = sizes.get_mut(count) {
+                *slot = term;
+            }
+            if missing == 0 {
+                return visit.visit(begin([walk.base, Term::NONE], sizes), length);
+            }
+            for other in column + 1..self.columns.len() {
+                if (walk.goes_with)(column, other) {
+                    self.add_sizes(walk, (sizes, count + 1), other, length, visit);
                 }
-                self.for_each_term(Factors::Simple, second, &mut |second_term, cost| {
-                    let length = length + cost;
-                    for third in behind(second) {
-                        if length + SHORTEST_TERM >= visit.longest() {
-                            return;
-                        }
-                        self.for_each_term(Factors::Simple, third, &mut |third, cost| {
-                            if length + cost < visit.longest() {
-                                let sizes = [first, second_term, third];
-                                visit.visit(begin([base, Term::NONE], sizes), length + cost);
-                            }
-                        });
-                    }
-                });
             }
         });
     }

@@ -88,9 +88,8 @@ impl<R: Real> Forms<'_, R> {
                 used: true,
                 ..Sum::alone(lhs as u8, self.left_length(lhs, left, true))
             };
-            let slots = self.sums.slots.iter_mut();
             let same = |own: &&mut Sum| own.kept && own.is_same(&case);
-            if let Some(own) = slots.into_iter().find(same) {
+            if let Some(own) = self.sums.slots.iter_mut().find(same) {
                 own.used = true;
                 continue;
             }
